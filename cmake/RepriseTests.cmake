@@ -1,0 +1,17 @@
+# SPDX-License-Identifier: MIT
+# reprise_test(NAME SOURCES file... LIBRARIES target... [TIMEOUT seconds])
+# One GoogleTest executable, one ctest entry. Tests stand beside the code that they test.
+function(reprise_test name)
+  if(NOT REPRISE_TESTS)
+    return()
+  endif()
+  cmake_parse_arguments(ARG "" "TIMEOUT" "SOURCES;LIBRARIES" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 300)
+  endif()
+  find_package(GTest REQUIRED)
+  add_executable(${name} ${ARG_SOURCES})
+  target_link_libraries(${name} PRIVATE ${ARG_LIBRARIES} reprise_warnings GTest::gtest_main)
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT})
+endfunction()

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+//
+// The hinge of the lab. Everything that makes a frame (scenes, the renderer, captures) ends here and
+// knows nothing of techniques; everything that turns frames into images begins here and knows nothing
+// of scenes. Conventions are those of reprise/reprise.h.
+#pragma once
+
+#include <cstdint>
+#include <optional>
+#include <string>
+
+#include "lab/float_image.h"
+#include "lab/sample_plan.h"
+#include "reprise/reprise.h"
+
+namespace reprise::lab {
+
+class Image;  // lab/vk/image.h; every image of the lab stays in VK_IMAGE_LAYOUT_GENERAL
+
+struct FrameInputs {
+  uint32_t index = 0;  // within the sequence, from 0
+  VkExtent2D extent{};
+  const Image* color = nullptr;     // live frames: RGBA16F
+  const Image* depth = nullptr;     // live frames: D32
+  const Image* motion = nullptr;    // live frames: RG32F, pixels: prev_px = px + motion
+  const Image* reactive = nullptr;  // optional
+  const Image* id = nullptr;        // optional
+  float jitter_px[2] = {0.0f, 0.0f};
+  float near_plane = 0.1f;
+  float far_plane = 1000.0f;
+  std::optional<RepriseCamera> camera;
+  float pre_exposure = 1.0f;
+  float frame_time_s = 1.0f / 60.0f;
+  bool reset = false;
+  // Shading evaluations that made `color`; 0 where the source cannot know (captures).
+  uint64_t shading_evaluations = 0;
+};
+
+struct SourceInfo {
+  std::string name;  // "brick/pan", or a capture's directory
+  VkExtent2D extent{};
+  uint32_t frame_count = 0;
+  double frame_rate = 60.0;  // frames a second
+  RepriseDepthKind depth_kind = REPRISE_DEPTH_REVERSED_INFINITE;
+  uint32_t context_flags = 0;     // RepriseContextFlags
+  bool plan_is_honoured = false;  // live scenes: yes; captures were sampled when they were written
+};
+
+// A sequence of frames, from a scene or from disk. Deterministic: frame(i, plan) gives the same bytes
+// whenever it is asked.
+class FrameSource {
+ public:
+  virtual ~FrameSource() = default;
+
+  virtual const SourceInfo& info() const = 0;
+
+  // Records into `commands` what makes frame `index`, and says where its images will be. They are
+  // readable by compute shaders after the recorded work and stay valid until the next call.
+  virtual FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) = 0;
+
+  // The many-sample reference of the frame in linear RGB; nullopt where there is none.
+  virtual std::optional<FloatImage> reference(uint32_t index) = 0;
+
+  // The input's motion at frame `index`, 2 channels in px, for judging still and moving frames.
+  // Valid after the work recorded by frame(index) has been submitted and has finished.
+  virtual FloatImage motion(uint32_t index) = 0;
+};
+
+}  // namespace reprise::lab

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <cstdint>
+
+#include "reprise/reprise.h"
+
+namespace reprise::lab {
+
+// How a source should sample a frame: what the technique's library context asks for, and what only
+// the lab can do.
+struct SamplePlan {
+  RepriseSamplePlan library{.size = sizeof(RepriseSamplePlan), .coarse_size = 1};
+  // N x N stratified samples a pixel, each with its own visibility and shading, averaged with a box
+  // of one pixel. 1: one sample at the jitter.
+  uint32_t grid = 1;
+};
+
+}  // namespace reprise::lab

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: MIT
+#include "core/context.h"
+
+#include <algorithm>
+#include <cstring>
+
+#include "core/error.h"
+#include "equations/reprojection.h"
+
+namespace reprise {
+namespace {
+
+RepriseImage orPlaceholder(const RepriseImage& image, const HistoryImage& placeholder) {
+  if (image.view != VK_NULL_HANDLE) return image;
+  return {placeholder.current(0), placeholder.extent(), VK_IMAGE_LAYOUT_GENERAL};
+}
+
+const TechniqueEntry& requireTechnique(const char* name) {
+  const TechniqueEntry* entry = findTechnique(name);
+  if (entry != nullptr) return *entry;
+  std::vector<std::string_view> names;
+  for (const TechniqueEntry& known : techniqueList()) names.emplace_back(known.info->name);
+  const std::string near = nearNames(name, names);
+  fail(REPRISE_ERROR_INVALID_ARGUMENT, "there is no technique '" + std::string(name) + "'" +
+                                           (near.empty() ? "" : "; near: " + near));
+}
+
+}  // namespace
+
+RepriseImage Recorder::orFloatPlaceholder(const RepriseImage& image) const {
+  return orPlaceholder(image, float_placeholder_);
+}
+RepriseImage Recorder::orUintPlaceholder(const RepriseImage& image) const {
+  return orPlaceholder(image, uint_placeholder_);
+}
+
+Context::Context(const RepriseContextInfo& info)
+    : entry_(requireTechnique(info.technique)),
+      settings_(*entry_.info),
+      depth_kind_(info.depth_kind),
+      flags_(info.flags),
+      frames_in_flight_(info.frames_in_flight),
+      message_callback_(info.message_callback),
+      message_user_(info.message_user),
+      planner_(entry_.create()) {
+  gpu_.device = info.device;
+  gpu_.pipeline_cache = info.pipeline_cache;
+  if (const char* missing = gpu_.vk.load(info.instance, info.device, info.get_instance_proc_addr)) {
+    fail(REPRISE_ERROR_DEVICE, std::string("get_instance_proc_addr does not give ") + missing);
+  }
+  gpu_.vk.GetPhysicalDeviceMemoryProperties(info.physical_device, &gpu_.memory);
+  VkPhysicalDeviceProperties properties{};
+  gpu_.vk.GetPhysicalDeviceProperties(info.physical_device, &properties);
+  gpu_.limits = properties.limits;
+
+  if (info.preset != nullptr) settings_.applyPreset(info.preset);
+  settings_.apply(info.settings, info.setting_count);
+  setExtents(info.max_input_extent, info.max_output_extent);
+  try {
+    createSamplers();
+    float_placeholder_ = std::make_unique<HistoryImage>(gpu_, "float placeholder",
+                                                        VK_FORMAT_R32_SFLOAT, VkExtent2D{1, 1}, 1);
+    uint_placeholder_ = std::make_unique<HistoryImage>(gpu_, "id placeholder", VK_FORMAT_R32_UINT,
+                                                       VkExtent2D{1, 1}, 1);
+  } catch (...) {
+    gpu_.vk.DestroySampler(gpu_.device, nearest_, nullptr);
+    gpu_.vk.DestroySampler(gpu_.device, linear_, nullptr);
+    throw;
+  }
+}
+
+Context::~Context() {
+  prepared_ = {};
+  gpu_.vk.DestroySampler(gpu_.device, nearest_, nullptr);
+  gpu_.vk.DestroySampler(gpu_.device, linear_, nullptr);
+}
+
+void Context::createSamplers() {
+  VkSamplerCreateInfo info{.sType = VK_STRUCTURE_TYPE_SAMPLER_CREATE_INFO};
+  info.addressModeU = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeV = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  info.addressModeW = VK_SAMPLER_ADDRESS_MODE_CLAMP_TO_EDGE;
+  check(gpu_.vk.CreateSampler(gpu_.device, &info, nullptr, &nearest_), "nearest sampler");
+  info.magFilter = VK_FILTER_LINEAR;
+  info.minFilter = VK_FILTER_LINEAR;
+  check(gpu_.vk.CreateSampler(gpu_.device, &info, nullptr, &linear_), "linear sampler");
+}
+
+void Context::setExtents(VkExtent2D input, VkExtent2D output) {
+  if (output.width == 0 && output.height == 0) output = input;
+  const uint32_t limit = gpu_.limits.maxImageDimension2D;
+  for (const VkExtent2D extent : {input, output}) {
+    if (extent.width < 1 || extent.height < 1 || extent.width > limit || extent.height > limit) {
+      fail(REPRISE_ERROR_INVALID_ARGUMENT,
+           "maximum extent " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
+               " must be in [1, " + std::to_string(limit) + "] a side");
+    }
+  }
+  const bool upsamples = (entry_.info->flags & REPRISE_TECHNIQUE_UPSAMPLES) != 0;
+  if (!upsamples && (output.width != input.width || output.height != input.height)) {
+    fail(REPRISE_ERROR_UNSUPPORTED, "technique '" + std::string(entry_.info->name) +
+                                        "' cannot upsample: output extent must equal input extent");
+  }
+  max_input_extent_ = input;
+  max_output_extent_ = output;
+}
+
+void Context::report(RepriseMessageSeverity severity, const std::string& text) const {
+  if (message_callback_ != nullptr) message_callback_(severity, text.c_str(), message_user_);
+}
+
+void Context::setSettings(const RepriseSettingValue* values, uint32_t count) {
+  needs_prepare_ |= settings_.apply(values, count);
+}
+
+double Context::getSetting(const char* name) const { return settings_.number(settings_.find(name)); }
+
+void Context::resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent) {
+  setExtents(max_input_extent, max_output_extent);
+  prepared_ = {};
+  needs_prepare_ = true;
+  reset_pending_ = true;
+}
+
+void Context::prepare() {
+  if (!needs_prepare_) return;
+  Declaration declaration(settings_, max_input_extent_, max_output_extent_);
+  Prepared next;
+  next.technique = entry_.create();
+  next.technique->declare(declaration);
+
+  uint32_t constant_bytes = 0;
+  for (const PassInfo& info : declaration.passes) {
+    next.passes.push_back(
+        std::make_unique<ComputePass>(gpu_, info, nearest_, linear_, frames_in_flight_));
+    constant_bytes += ConstantRing::alignedSize(gpu_, info.constant_bytes);
+  }
+  next.constants = std::make_unique<ConstantRing>(gpu_, constant_bytes, frames_in_flight_);
+
+  // New images first: should one fail, the old state is whole.
+  const auto same = [](const Declaration::History& wanted, const HistoryImage& image) {
+    return std::strcmp(image.name(), wanted.name) == 0 && image.format() == wanted.format &&
+           image.extent().width == wanted.extent.width &&
+           image.extent().height == wanted.extent.height && image.copies() == wanted.copies;
+  };
+  bool all_kept = true;
+  next.histories.resize(declaration.histories.size());
+  std::vector<size_t> kept_from(declaration.histories.size(), prepared_.histories.size());
+  for (size_t i = 0; i < declaration.histories.size(); ++i) {
+    const Declaration::History& wanted = declaration.histories[i];
+    for (size_t j = 0; j < prepared_.histories.size(); ++j) {
+      if (same(wanted, *prepared_.histories[j])) kept_from[i] = j;
+    }
+    if (kept_from[i] < prepared_.histories.size()) continue;
+    next.histories[i] = std::make_unique<HistoryImage>(gpu_, wanted.name, wanted.format,
+                                                       wanted.extent, wanted.copies);
+    all_kept = false;
+  }
+  for (size_t i = 0; i < next.histories.size(); ++i) {
+    if (next.histories[i] == nullptr) next.histories[i] = std::move(prepared_.histories[kept_from[i]]);
+  }
+  prepared_ = std::move(next);
+  reset_pending_ |= !all_kept;
+  needs_prepare_ = false;
+}
+
+void Context::plan(uint64_t frame_index, RepriseSamplePlan& plan) const {
+  const size_t size = plan.size;
+  plan = {.size = size, .coarse_size = 1};
+  planner_->plan({frame_index, max_input_extent_, max_output_extent_, settings_}, plan);
+}
+
+FrameState Context::frameState(const RepriseFrame& frame) const {
+  FrameState state{.frame = frame, .settings = settings_};
+  checkFrame(frame, *entry_.info, depth_kind_, max_input_extent_, max_output_extent_,
+             state.input_extent, state.output_extent);
+  state.has_history = !reset_pending_ && frame.reset == 0 && record_ > 0;
+  state.record = record_;
+  state.previous_output_extent =
+      state.has_history ? previous_.output_extent : state.output_extent;
+  state.jitter_px = eq::vec2(frame.jitter_px[0], frame.jitter_px[1]);
+  state.previous_jitter_px = state.has_history ? previous_.jitter_px : state.jitter_px;
+  state.motion_offset_px = eq::vec2(0.0f, 0.0f);
+  if ((flags_ & REPRISE_CONTEXT_MOTION_INCLUDES_JITTER) != 0) {
+    state.motion_offset_px = eq::vec2(state.jitter_px.x - state.previous_jitter_px.x,
+                                      state.jitter_px.y - state.previous_jitter_px.y);
+  }
+  state.view_depth_coefficients =
+      eq::viewDepthCoefficients(depth_kind_, frame.near_plane, frame.far_plane);
+  state.previous_depth_coefficients = eq::vec4(0.0f, 0.0f, 1.0f, 0.0f);
+  if (state.has_history && frame.camera != nullptr && previous_.camera.has_value()) {
+    state.previous_depth_coefficients = eq::previousDepthCoefficients(
+        frame.camera->view, frame.camera->projection, previous_.camera->view,
+        static_cast<float>(state.input_extent.width), static_cast<float>(state.input_extent.height));
+  }
+  state.exposure_ratio = state.has_history ? frame.pre_exposure / previous_.pre_exposure : 1.0f;
+  return state;
+}
+
+void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
+  if (needs_prepare_) {
+    fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before recording");
+  }
+  const FrameState state = frameState(frame);
+
+  float_placeholder_->recordInitialLayout(commands);
+  uint_placeholder_->recordInitialLayout(commands);
+  for (const auto& history : prepared_.histories) history->recordInitialLayout(commands);
+  const auto slot = static_cast<uint32_t>(record_ % frames_in_flight_);
+  prepared_.constants->beginSlot(slot);
+  Recorder recorder(prepared_, *float_placeholder_, *uint_placeholder_,
+                    {commands, slot, prepared_.constants.get(), frame.timestamps,
+                     frame.first_timestamp});
+  prepared_.technique->record(recorder, state);
+
+  previous_.output_extent = state.output_extent;
+  previous_.jitter_px = state.jitter_px;
+  previous_.pre_exposure = frame.pre_exposure;
+  previous_.camera.reset();
+  if (frame.camera != nullptr) previous_.camera = *frame.camera;
+  reset_pending_ = false;
+  ++record_;
+}
+
+void Context::recordRequest(VkCommandBuffer, const RepriseFrame&) {
+  fail(REPRISE_ERROR_UNSUPPORTED,
+       "technique '" + std::string(entry_.info->name) + "' makes no sample requests");
+}
+
+const char* Context::passName(uint32_t index) const {
+  return index < prepared_.passes.size() ? prepared_.passes[index]->name() : nullptr;
+}
+
+uint32_t Context::memory(RepriseMemoryItem* items, uint32_t capacity) const {
+  if (needs_prepare_) {
+    fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before asking for memory");
+  }
+  const auto count = static_cast<uint32_t>(prepared_.histories.size());
+  for (uint32_t i = 0; i < std::min(count, capacity); ++i) {
+    const HistoryImage& image = *prepared_.histories[i];
+    items[i] = {image.name(), image.format(), image.extent(), image.copies(),
+                image.bytes()};
+  }
+  return count;
+}
+
+}  // namespace reprise

@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "core/technique.h"
+
+namespace reprise {
+
+// What prepare builds. History images survive a new prepare where they stay the same.
+struct Prepared {
+  std::unique_ptr<Technique> technique;
+  std::vector<std::unique_ptr<HistoryImage>> histories;
+  std::vector<std::unique_ptr<ComputePass>> passes;
+  std::unique_ptr<ConstantRing> constants;
+};
+
+// Hands a technique its passes and images while it records.
+class Recorder {
+ public:
+  Recorder(const Prepared& prepared, const HistoryImage& float_placeholder,
+           const HistoryImage& uint_placeholder, RecordTarget target)
+      : prepared_(prepared), float_placeholder_(float_placeholder),
+        uint_placeholder_(uint_placeholder), target_(target) {}
+
+  PassRecording pass(PassHandle handle) {
+    return PassRecording(*prepared_.passes[handle], target_, handle);
+  }
+  const HistoryImage& history(HistoryHandle handle) const { return *prepared_.histories[handle]; }
+  // An optional input, or a 1 x 1 image in its place: every binding must hold a descriptor.
+  RepriseImage orFloatPlaceholder(const RepriseImage& image) const;
+  RepriseImage orUintPlaceholder(const RepriseImage& image) const;
+
+ private:
+  const Prepared& prepared_;
+  const HistoryImage& float_placeholder_;
+  const HistoryImage& uint_placeholder_;
+  RecordTarget target_;
+};
+
+class Context {
+ public:
+  explicit Context(const RepriseContextInfo& info);
+  ~Context();
+  Context(const Context&) = delete;
+  Context& operator=(const Context&) = delete;
+
+  void setSettings(const RepriseSettingValue* values, uint32_t count);
+  double getSetting(const char* name) const;
+  void resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent);
+  void prepare();
+  void reset() { reset_pending_ = true; }
+  void plan(uint64_t frame_index, RepriseSamplePlan& plan) const;
+  void record(VkCommandBuffer commands, const RepriseFrame& frame);
+  [[noreturn]] void recordRequest(VkCommandBuffer commands, const RepriseFrame& frame);
+  uint32_t memory(RepriseMemoryItem* items, uint32_t capacity) const;
+  uint32_t passCount() const { return static_cast<uint32_t>(prepared_.passes.size()); }
+  const char* passName(uint32_t index) const;
+  void report(RepriseMessageSeverity severity, const std::string& text) const;
+
+ private:
+  // What the next frame must know of this one.
+  struct Previous {
+    VkExtent2D output_extent{};
+    eq::vec2 jitter_px{};
+    float pre_exposure = 1.0f;
+    std::optional<RepriseCamera> camera;
+  };
+  void setExtents(VkExtent2D max_input_extent, VkExtent2D max_output_extent);
+  void createSamplers();
+  FrameState frameState(const RepriseFrame& frame) const;
+
+  const TechniqueEntry& entry_;
+  Gpu gpu_;
+  Settings settings_;
+  RepriseDepthKind depth_kind_;
+  uint32_t flags_;
+  uint32_t frames_in_flight_;
+  RepriseMessageCallback message_callback_;
+  void* message_user_;
+  VkExtent2D max_input_extent_{};
+  VkExtent2D max_output_extent_{};
+  VkSampler nearest_ = VK_NULL_HANDLE;
+  VkSampler linear_ = VK_NULL_HANDLE;
+  std::unique_ptr<HistoryImage> float_placeholder_;
+  std::unique_ptr<HistoryImage> uint_placeholder_;
+  std::unique_ptr<Technique> planner_;  // answers plan() before prepare
+  Prepared prepared_;
+  bool needs_prepare_ = true;
+  bool reset_pending_ = true;
+  uint64_t record_ = 0;
+  Previous previous_;
+};
+
+// Throws Error, in one line, when a frame breaks the contract of reprise.h. `input` and `output`
+// receive the extents with {0, 0} resolved.
+void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique,
+                RepriseDepthKind depth_kind, VkExtent2D max_input, VkExtent2D max_output,
+                VkExtent2D& input, VkExtent2D& output);
+
+}  // namespace reprise

@@ -1,0 +1,96 @@
+// SPDX-License-Identifier: MIT
+#include "reprise/reprise.h"
+// reprise.h first: the shared header is GLSL too and includes no Vulkan header.
+#include "core/context.h"
+#include "equations/jitter.h"
+#include "techniques/reprojection/reprojection_shared.h"
+
+namespace reprise {
+namespace {
+
+constexpr uint32_t kShader[] = {
+#include "reprojection.comp.inc"
+};
+
+enum Setting : uint32_t { kAlpha, kJitterLength, kDepthTolerance, kSettingCount };
+
+constexpr auto kSettings = settingTable({
+    numberSetting(kAlpha, "alpha", 0.1, 0.001, 1.0, "",
+                  "weight of the current sample; raising it blurs less in motion and averages fewer "
+                  "samples: (2 - alpha) / alpha of them at rest",
+                  "Nehab et al. 2007; Yang et al. 2009 choose it for each scene by PSNR"),
+    integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames",
+                   "length of the Halton(2,3) cycle of sample positions over the pixel; 1: the centre",
+                   "Scherzer et al. 2007 jitter uniformly over the pixel"),
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.001, 1.0, "relative",
+                  "largest relative difference of depths that still counts as the same surface; "
+                  "raising it keeps more history and more ghosts",
+                  "techniques named in Nehab et al. 2007 give no figure; 0.01 to 0.02 is customary"),
+});
+static_assert(kSettings.size() == kSettingCount);
+
+class Reprojection final : public Technique {
+ public:
+  void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
+    const auto length = request.settings.choice(kJitterLength);
+    plan.period = length;
+    if (length == 1) return;
+    const auto index = static_cast<uint32_t>(request.frame_index % length);
+    const eq::vec2 sample_px = eq::haltonOffset(index);
+    const eq::vec2 mean_px = eq::haltonMean(length);
+    plan.jitter_px[0] = -(sample_px.x - mean_px.x);
+    plan.jitter_px[1] = -(sample_px.y - mean_px.y);
+  }
+
+  void declare(Declaration& declaration) override {
+    history_ = declaration.history("history color and depth", VK_FORMAT_R16G16B16A16_SFLOAT,
+                                   declaration.max_output_extent, 2);
+    resolve_ = declaration.pass(
+        {.name = "resolve",
+         .spirv = kShader,
+         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
+                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
+         .constant_bytes = sizeof(ReprojectionConstants),
+         .specialization = {}});
+  }
+
+  void record(Recorder& recorder, const FrameState& state) override {
+    const HistoryImage& history = recorder.history(history_);
+    ReprojectionConstants constants{};
+    constants.frame = frameConstants(state, history.extent());
+    constants.alpha = state.settings.real(kAlpha);
+    constants.depth_tolerance = state.settings.real(kDepthTolerance);
+    recorder.pass(resolve_)
+        .read(state.frame.color)
+        .read(state.frame.depth)
+        .read(state.frame.motion)
+        .read(history.previous(state.record))
+        .write(history.current(state.record))
+        .write(state.frame.output.view)
+        .constants(constants)
+        .dispatch(state.output_extent);
+  }
+
+ private:
+  HistoryHandle history_ = 0;
+  PassHandle resolve_ = 0;
+};
+
+constexpr RepriseTechniqueInfo kInfo = {
+    .name = "reprojection",
+    .summary = "Jittered reverse reprojection: one buffer, bilinear history, depth test",
+    .source = "Nehab et al. 2007; Scherzer et al. 2007",
+    .flags = REPRISE_TECHNIQUE_USES_HISTORY,
+    .settings = kSettings.data(),
+    .setting_count = kSettingCount,
+    .presets = nullptr,
+    .preset_count = 0,
+};
+
+}  // namespace
+
+extern const TechniqueEntry kReprojectionEntry;
+const TechniqueEntry kReprojectionEntry = {
+    &kInfo, []() -> std::unique_ptr<Technique> { return std::make_unique<Reprojection>(); }};
+
+}  // namespace reprise

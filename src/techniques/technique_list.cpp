@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: MIT
+//
+// The one list of techniques. Each entry is defined in its own folder.
+#include <cstring>
+
+#include "core/technique.h"
+
+namespace reprise {
+
+extern const TechniqueEntry kNoneEntry;
+extern const TechniqueEntry kReprojectionEntry;
+extern const TechniqueEntry kTaaEntry;
+
+std::span<const TechniqueEntry> techniqueList() {
+  static const TechniqueEntry kList[] = {
+      kNoneEntry,
+      kReprojectionEntry,
+      kTaaEntry,
+  };
+  return kList;
+}
+
+const TechniqueEntry* findTechnique(const char* name) {
+  for (const TechniqueEntry& entry : techniqueList()) {
+    if (std::strcmp(entry.info->name, name) == 0) return &entry;
+  }
+  return nullptr;
+}
+
+}  // namespace reprise

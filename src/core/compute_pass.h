@@ -35,7 +35,7 @@ struct PassInfo {
 // Every compute shader of the library has this local size (src/core/workgroup.h).
 class ComputePass {
  public:
-  static constexpr uint32_t kMaxBindings = 20;
+  static constexpr uint32_t kMaxBindings = 24;
 
   ComputePass(const Gpu& gpu, const PassInfo& info, VkSampler nearest, VkSampler linear,
               uint32_t frames_in_flight);

@@ -23,9 +23,10 @@ struct SettingRow {
 
 constexpr SettingRow numberSetting(uint32_t index, const char* name, double default_value,
                                    double minimum, double maximum, const char* unit,
-                                   const char* effect, const char* source) {
+                                   const char* effect, const char* source,
+                                   uint32_t needs_prepare = 0) {
   return {index, {name, REPRISE_SETTING_FLOAT, minimum, maximum, default_value, nullptr, unit, effect,
-                  source, 0}};
+                  source, needs_prepare}};
 }
 constexpr SettingRow integerSetting(uint32_t index, const char* name, double default_value,
                                     double minimum, double maximum, const char* unit,

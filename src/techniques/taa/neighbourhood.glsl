@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: MIT
+// The nine samples around a pixel, in working space: its reconstruction and the bound of believable
+// history. Element 3 * (dy + 1) + (dx + 1).
+#ifndef REPRISE_TECHNIQUES_TAA_NEIGHBOURHOOD_GLSL
+#define REPRISE_TECHNIQUES_TAA_NEIGHBOURHOOD_GLSL
+
+#include "equations/clipping.h"
+#include "techniques/taa/working_space.glsl"
+
+vec3 filteredSample(vec3 s[9], TaaConstants k) {
+  return s[0] * k.filter_weights_0_3.x + s[1] * k.filter_weights_0_3.y +
+         s[2] * k.filter_weights_0_3.z + s[3] * k.filter_weights_0_3.w +
+         s[4] * k.filter_weights_4_7.x + s[5] * k.filter_weights_4_7.y +
+         s[6] * k.filter_weights_4_7.z + s[7] * k.filter_weights_4_7.w +
+         s[8] * k.filter_weight_8;
+}
+
+struct Moments {
+  vec3 mean;
+  vec3 deviation;
+};
+
+Moments moments(vec3 s[9]) {
+  vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  for (int i = 0; i < 9; ++i) {
+    sum += s[i];
+    sum_of_squares += s[i] * s[i];
+  }
+  vec3 mean = sum * (1.0 / 9.0);
+  return Moments(mean, sqrt(max(sum_of_squares * (1.0 / 9.0) - mean * mean, vec3(0.0))));
+}
+
+struct Bound {
+  vec3 low;
+  vec3 high;
+};
+
+Bound extremes(vec3 s[9]) {
+  vec3 cross_low = min(min(min(s[1], s[3]), min(s[5], s[7])), s[4]);
+  vec3 cross_high = max(max(max(s[1], s[3]), max(s[5], s[7])), s[4]);
+  vec3 low = min(cross_low, min(min(s[0], s[2]), min(s[6], s[8])));
+  vec3 high = max(cross_high, max(max(s[0], s[2]), max(s[6], s[8])));
+  // Karis 2014: the mean of both boxes rounds the square neighbourhood's corners.
+  if (kClip == kClipRounded) return Bound(0.5 * (low + cross_low), 0.5 * (high + cross_high));
+  return Bound(low, high);
+}
+
+// Moves `history` into the bound of the neighbourhood. `widen` >= 1 scales the bound about its centre.
+vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) {
+  if (kClip == kClipNone) return history;
+  if (kClip == kClipKdop) return clipToKdop(history, current, s, widen);
+  vec3 low;
+  vec3 high;
+  if (kClip == kClipVariance) {
+    Moments m = moments(s);
+    low = m.mean - gamma * m.deviation;
+    high = m.mean + gamma * m.deviation;
+  } else {
+    Bound bound = extremes(s);
+    vec3 centre = 0.5 * (bound.low + bound.high);
+    vec3 half_size = 0.5 * (bound.high - bound.low) * widen;
+    low = centre - half_size;
+    high = centre + half_size;
+  }
+  if (kClipToward == kTowardCentre) return clipTowardBoxCentre(low, high, history);
+  if (kClipToward == kTowardSample) return clipTowardSample(low, high, current, history);
+  return clampToBox(low, high, history);
+}
+
+// Antialiases along an edge of the current frame: a Gaussian that is short across the edge (along the
+// gradient) and long along it. Where there is no edge the sample stays.
+vec3 smoothedAlongEdge(vec3 s[9], vec3 current) {
+  float l[9];
+  for (int i = 0; i < 9; ++i) l[i] = workingLuma(s[i]);
+  // Sobel gradient of luma, per 8 px.
+  vec2 gradient = vec2((l[2] + 2.0 * l[5] + l[8]) - (l[0] + 2.0 * l[3] + l[6]),
+                       (l[6] + 2.0 * l[7] + l[8]) - (l[0] + 2.0 * l[1] + l[2]));
+  float steepness = length(gradient);
+  vec2 across = gradient / max(steepness, 1.0e-6);
+  // Squared standard deviations in px^2: a third of a pixel across, one pixel along.
+  const float kAcross = 0.11;
+  const float kAlong = 1.0;
+  vec3 sum = vec3(0.0);
+  float weight_sum = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    vec2 offset_px = vec2(float(i % 3) - 1.0, float(i / 3) - 1.0);
+    float a = dot(offset_px, across);
+    float weight = exp(-0.5 * (a * a / kAcross + (dot(offset_px, offset_px) - a * a) / kAlong));
+    sum += weight * s[i];
+    weight_sum += weight;
+  }
+  // FXAA 3.11's default contrast threshold, 1/8 of full scale, as a ramp: Sobel sums 4 differences.
+  float edge = clamp((steepness * 0.25 - 0.0625) * 16.0, 0.0, 1.0);
+  return mix(current, sum / weight_sum, edge);
+}
+
+vec3 meanSample(vec3 s[9]) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 9; ++i) sum += s[i];
+  return sum * (1.0 / 9.0);
+}
+
+#endif

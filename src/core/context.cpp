@@ -5,6 +5,7 @@
 #include <cstring>
 
 #include "core/error.h"
+#include "core/near_names.h"
 #include "equations/reprojection.h"
 
 namespace reprise {

@@ -1,33 +1,16 @@
 // SPDX-License-Identifier: MIT
 #include "core/settings.h"
 
-#include <algorithm>
 #include <charconv>
 #include <cmath>
 #include <cstdio>
 #include <cstring>
 
 #include "core/error.h"
+#include "core/near_names.h"
 
 namespace reprise {
 namespace {
-
-// Levenshtein distance with transpositions of neighbours counted as one edit.
-size_t editDistance(std::string_view a, std::string_view b) {
-  std::vector<std::vector<size_t>> d(a.size() + 1, std::vector<size_t>(b.size() + 1));
-  for (size_t i = 0; i <= a.size(); ++i) d[i][0] = i;
-  for (size_t j = 0; j <= b.size(); ++j) d[0][j] = j;
-  for (size_t i = 1; i <= a.size(); ++i) {
-    for (size_t j = 1; j <= b.size(); ++j) {
-      const size_t substitution = d[i - 1][j - 1] + (a[i - 1] == b[j - 1] ? 0 : 1);
-      d[i][j] = std::min({d[i - 1][j] + 1, d[i][j - 1] + 1, substitution});
-      if (i > 1 && j > 1 && a[i - 1] == b[j - 2] && a[i - 2] == b[j - 1]) {
-        d[i][j] = std::min(d[i][j], d[i - 2][j - 2] + 1);
-      }
-    }
-  }
-  return d[a.size()][b.size()];
-}
 
 std::string rangeText(const RepriseSettingInfo& info) {
   char text[96];
@@ -36,24 +19,6 @@ std::string rangeText(const RepriseSettingInfo& info) {
 }
 
 }  // namespace
-
-std::string nearNames(std::string_view name, const std::vector<std::string_view>& candidates) {
-  // Two edits catch a slip of the finger; more would name strangers.
-  constexpr size_t kMaxEdits = 2;
-  std::vector<std::pair<size_t, std::string_view>> near;
-  for (const std::string_view candidate : candidates) {
-    const size_t edits = editDistance(name, candidate);
-    const bool prefix = name.size() >= 2 && candidate.substr(0, name.size()) == name;
-    if (edits <= kMaxEdits || prefix) near.emplace_back(prefix ? 0 : edits, candidate);
-  }
-  std::stable_sort(near.begin(), near.end(),
-                   [](const auto& a, const auto& b) { return a.first < b.first; });
-  std::string joined;
-  for (const auto& [edits, candidate] : near) {
-    joined += (joined.empty() ? "'" : ", '") + std::string(candidate) + "'";
-  }
-  return joined;
-}
 
 Settings::Settings(const RepriseTechniqueInfo& technique) : technique_(&technique) {
   values_.reserve(technique.setting_count);

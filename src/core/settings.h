@@ -82,8 +82,4 @@ class Settings {
   std::vector<double> values_;
 };
 
-// "taa" -> "did you mean 'taa'?" material: the candidates within two edits of `name`, best first,
-// joined as "'a', 'b'"; empty when none is near.
-std::string nearNames(std::string_view name, const std::vector<std::string_view>& candidates);
-
 }  // namespace reprise

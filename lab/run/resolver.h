@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: MIT
+//
+// A library context in the lab's hands: plans a frame, records its resolve, owns the output image.
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/frame_inputs.h"
+#include "lab/run/technique_choice.h"
+#include "lab/vk/device.h"
+#include "lab/vk/image.h"
+#include "lab/vk/timestamps.h"
+#include "reprise/reprise.hpp"
+
+namespace reprise::lab {
+
+class Resolver {
+ public:
+  // Throws UsageError when the technique cannot work on this source, ApiError when the library fails.
+  Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source);
+
+  const TechniqueChoice& choice() const { return choice_; }
+  SamplePlan plan(uint32_t frame_index) const;
+  // Records the resolve of `inputs` into output(). With `timestamps`, its passes are timed by name.
+  void record(VkCommandBuffer commands, const FrameInputs& inputs, Timestamps* timestamps);
+  // RGBA16F, or RGBA32F where the input colour is.
+  const Image& output() const { return output_; }
+
+  std::vector<RepriseMemoryItem> memory() const { return context_.memory(); }
+  uint64_t historyBytes() const;
+  const std::vector<std::string>& passNames() const { return pass_names_; }
+  // Every setting as it stands, in the table's order.
+  std::vector<std::pair<const RepriseSettingInfo*, double>> settings() const;
+
+ private:
+  TechniqueChoice choice_;
+  OwnedContext context_;
+  Image output_;
+  std::vector<std::string> pass_names_;
+};
+
+}  // namespace reprise::lab

@@ -2,7 +2,7 @@
 #include "reprise/reprise.h"
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
 #include "core/context.h"
-#include "equations/jitter.h"
+#include "equations/jitter_sequence.h"
 #include "techniques/reprojection/reprojection_shared.h"
 
 namespace reprise {
@@ -35,11 +35,11 @@ class Reprojection final : public Technique {
     const auto length = request.settings.choice(kJitterLength);
     plan.period = length;
     if (length == 1) return;
-    const auto index = static_cast<uint32_t>(request.frame_index % length);
-    const eq::vec2 sample_px = eq::haltonOffset(index);
-    const eq::vec2 mean_px = eq::haltonMean(length);
-    plan.jitter_px[0] = -(sample_px.x - mean_px.x);
-    plan.jitter_px[1] = -(sample_px.y - mean_px.y);
+    const eq::vec2 sample_px =
+        eq::sequenceOffset(eq::kSequenceHalton, request.frame_index, length) -
+        eq::sequenceMean(eq::kSequenceHalton, length);
+    plan.jitter_px[0] = -sample_px.x;
+    plan.jitter_px[1] = -sample_px.y;
   }
 
   void declare(Declaration& declaration) override {

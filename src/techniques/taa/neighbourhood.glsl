@@ -46,6 +46,26 @@ Bound extremes(vec3 s[9]) {
   return Bound(low, high);
 }
 
+// Along the line from the current sample, to where it leaves the slabs that hold all nine samples along
+// each of 16 axes (eq. 5c). `widen` scales each slab about its centre.
+vec3 clipToKdop(vec3 history, vec3 current, vec3 s[9], float widen) {
+  vec3 travel = history - current;
+  float t = 1.0;
+  for (uint a = 0u; a < kKdopAxes; ++a) {
+    vec3 axis = kdopAxis(a);
+    float low = dot(axis, s[0]);
+    float high = low;
+    for (int i = 1; i < 9; ++i) {
+      float along = dot(axis, s[i]);
+      low = min(low, along);
+      high = max(high, along);
+    }
+    float grow = 0.5 * (high - low) * (widen - 1.0);
+    t = min(t, slabExit(dot(axis, current), dot(axis, travel), low - grow, high + grow));
+  }
+  return current + travel * t;
+}
+
 // Moves `history` into the bound of the neighbourhood. `widen` >= 1 scales the bound about its centre.
 vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) {
   if (kClip == kClipNone) return history;

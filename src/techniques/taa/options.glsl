@@ -16,7 +16,7 @@ layout(constant_id = 9) const uint kIdTest = 0u;
 layout(constant_id = 10) const uint kReactive = 0u;
 layout(constant_id = 11) const uint kRejectedBlur = 0u;
 layout(constant_id = 12) const uint kSpatial = 0u;
-layout(constant_id = 13) const uint kOffscreenExtend = 0u;
+layout(constant_id = 13) const uint kExtendOffscreen = 0u;
 layout(constant_id = 14) const uint kStill = 0u;
 layout(constant_id = 15) const uint kDither = 0u;
 layout(constant_id = 16) const uint kWriteOutput = 1u;  // 0: the sharpening pass writes it

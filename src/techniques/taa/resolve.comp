@@ -105,7 +105,7 @@ void main() {
   vec2 inside_px = clamp(previous_px, vec2(0.5), previous_extent_px - 0.5);
 
   float trust = k.frame.has_history;
-  if (kOffscreenExtend == 0u && !isOnScreen(previous_px, previous_extent_px)) trust = 0.0;
+  if (kExtendOffscreen == 0u && !isOnScreen(previous_px, previous_extent_px)) trust = 0.0;
 
   float expected_depth = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                                center_px - k.frame.jitter_px, surface.view_depth);

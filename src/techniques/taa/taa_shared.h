@@ -54,8 +54,6 @@ TAA_CHOICE kDepthTestNone = 0u;
 TAA_CHOICE kDepthTestPixel = 1u;
 TAA_CHOICE kDepthTestTaps = 2u;
 
-TAA_CHOICE kOffscreenReject = 0u;
-TAA_CHOICE kOffscreenExtend = 1u;
 
 struct TaaConstants {
   FrameConstants frame;

@@ -7,7 +7,6 @@
 #pragma once
 
 #include <cstdint>
-#include <initializer_list>
 #include <memory>
 #include <span>
 #include <string>
@@ -27,7 +26,7 @@ enum class Binding : uint8_t {
 struct PassInfo {
   const char* name;
   std::span<const uint32_t> spirv;
-  std::initializer_list<Binding> bindings;
+  std::vector<Binding> bindings;
   uint32_t constant_bytes;
   std::vector<uint32_t> specialization;  // constant_id i = element i; floats by their bits
 };

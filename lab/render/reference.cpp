@@ -1,0 +1,145 @@
+// SPDX-License-Identifier: MIT
+#include "lab/render/reference.h"
+
+#include <algorithm>
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+#include <stdexcept>
+#include <vector>
+
+#include "equations/color_space.h"
+#include "equations/jitter.h"
+#include "lab/render/reference_file.h"
+
+namespace reprise::lab {
+namespace {
+
+// Samples of one submission: enough to hide its cost, short enough to answer an interrupt.
+constexpr uint32_t kSamplesASubmission = 32;
+
+constexpr double kGaussianSigma_px = 0.4737;  // Yang et al. 2009, section 5.1
+
+// Seeds of the two halves; any two different ones will do.
+constexpr uint32_t kHalfSeeds[2] = {1u, 2u};
+
+// Quantile of the standard normal distribution by bisection of erfc: exact to a double's needs, and
+// called once a sample.
+double normalQuantile(double p) {
+  double low = -9.0;
+  double high = 9.0;
+  for (int i = 0; i < 80; ++i) {
+    const double middle = 0.5 * (low + high);
+    (0.5 * std::erfc(-middle / std::sqrt(2.0)) < p ? low : high) = middle;
+  }
+  return 0.5 * (low + high);
+}
+
+// Sample offsets drawn from the filter itself: all weights are 1. Returned as jitters.
+eq::vec2 referenceJitter(uint32_t index, uint32_t half, ReferenceFilter filter) {
+  const eq::vec2 u = eq::owenSobol(index, kHalfSeeds[half]);
+  if (filter == ReferenceFilter::kBox) return eq::vec2(0.5f - u.x, 0.5f - u.y);
+  // Points lie on multiples of 2^-24: half a step keeps 0 from minus infinity.
+  constexpr double kHalfStep = 0.5 / 16777216.0;
+  return eq::vec2(static_cast<float>(-kGaussianSigma_px * normalQuantile(u.x + kHalfStep)),
+                  static_cast<float>(-kGaussianSigma_px * normalQuantile(u.y + kHalfStep)));
+}
+
+double displayPsnr(const FloatImage& a, float a_scale, const FloatImage& b, float b_scale) {
+  double sum = 0.0;
+  for (size_t i = 0; i < a.texels.size(); ++i) {
+    const double d = eq::displayFromLinear(a.texels[i] * a_scale) -
+                     eq::displayFromLinear(b.texels[i] * b_scale);
+    sum += d * d;
+  }
+  const double mse = sum / static_cast<double>(a.texels.size());
+  return mse > 0.0 ? -10.0 * std::log10(mse) : 200.0;
+}
+
+}  // namespace
+
+std::filesystem::path ReferenceStore::defaultCache() {
+  if (const char* own = std::getenv("REPRISE_CACHE"); own != nullptr && *own != '\0') return own;
+  if (const char* xdg = std::getenv("XDG_CACHE_HOME"); xdg != nullptr && *xdg != '\0') {
+    return std::filesystem::path(xdg) / "reprise";
+  }
+  const char* home = std::getenv("HOME");
+  return std::filesystem::path(home != nullptr ? home : "/tmp") / ".cache" / "reprise";
+}
+
+ReferenceStore::ReferenceStore(Device& device, Renderer& renderer, const ReferenceOptions& options)
+    : device_(device), renderer_(renderer), options_(options) {
+  if (options_.samples < 2 || options_.samples > 65536 || options_.samples % 2 != 0) {
+    throw std::invalid_argument("reference samples must be even and in [2, 65536]");
+  }
+  if (options_.cache.empty()) options_.cache = defaultCache();
+}
+
+FloatImage ReferenceStore::reference(uint32_t index) {
+  renderer_.setFrame(index, 0.0f);
+  const VkExtent2D extent = renderer_.extent();
+  const std::vector<uint8_t> content = renderer_.contentBytes();
+  uint64_t key = hashBytes(content.data(), content.size());
+  key = hashBytes(&options_.filter, sizeof(options_.filter), key);
+  const std::string identity = device_.name() + device_.driver();
+  key = hashBytes(identity.data(), identity.size(), key);
+  char name[32];
+  std::snprintf(name, sizeof(name), "%016llx.ref", static_cast<unsigned long long>(key));
+  const bool cached = options_.cache != "none";
+  const std::filesystem::path path = options_.cache / "references" / name;
+
+  ReferenceSums sums;
+  const uint32_t wanted = options_.samples / 2;
+  ReferenceFileState state = ReferenceFileState::kAbsent;
+  if (cached) state = readReferenceFile(path, extent.width, extent.height, sums);
+  if (state == ReferenceFileState::kDamaged && warn_) {
+    warn_("reference cache: '" + path.string() + "' is damaged; rendering it anew");
+  }
+  // A file with more samples than asked for has another sum than a fresh run would: equal requests
+  // must give equal bytes, so it is not used but left for those who want it.
+  const bool use = state == ReferenceFileState::kWhole && sums.samples_a_half <= wanted;
+  if (!use) {
+    sums = ReferenceSums{};
+    for (FloatImage& half : sums.halves) half = FloatImage(extent.width, extent.height, 3);
+  }
+  const bool keep_larger = state == ReferenceFileState::kWhole && !use;
+
+  bool extended = false;
+  for (uint32_t half = 0; half < 2; ++half) {
+    uint32_t done = sums.samples_a_half;
+    while (done < wanted) {
+      // Chunks end at multiples of their size, so that an extended sum adds in the same order.
+      const uint32_t end = std::min(wanted, (done / kSamplesASubmission + 1) * kSamplesASubmission);
+      std::vector<eq::vec2> jitters_px;
+      for (uint32_t i = done; i < end; ++i) {
+        jitters_px.push_back(referenceJitter(i, half, options_.filter));
+      }
+      device_.submitAndWait([&](VkCommandBuffer commands) {
+        renderer_.recordClearSum(commands);
+        renderer_.recordAccumulate(commands, jitters_px, {}, nullptr);
+      });
+      const FloatImage part = download(device_, renderer_.sum());
+      FloatImage& sum = sums.halves[half];
+      for (size_t i = 0; i < sum.texelCount(); ++i) {
+        for (size_t c = 0; c < 3; ++c) sum.texels[3 * i + c] += part.texels[4 * i + c];
+      }
+      samples_rendered_ += end - done;
+      done = end;
+      extended = true;
+    }
+  }
+  renderer_.takeEvaluations();
+  sums.samples_a_half = wanted;
+  if (cached && extended && !keep_larger) writeReferenceFile(path, sums);
+
+  const float half_scale = 1.0f / static_cast<float>(wanted);
+  half_against_half_db_ = displayPsnr(sums.halves[0], half_scale, sums.halves[1], half_scale);
+  FloatImage reference(extent.width, extent.height, 3);
+  for (size_t i = 0; i < reference.texels.size(); ++i) {
+    reference.texels[i] =
+        (sums.halves[0].texels[i] + sums.halves[1].texels[i]) * (0.5f * half_scale);
+  }
+  return reference;
+}
+
+}  // namespace reprise::lab

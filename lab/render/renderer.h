@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: MIT
+//
+// Renders one scene: a jittered visibility pass, exact motion, shading in compute at any position. All
+// images and buffers are made once; a frame records commands and writes one small buffer.
+#pragma once
+
+#include <cstdint>
+#include <memory>
+#include <span>
+#include <vector>
+
+#include "equations/language.h"
+#include "lab/frame_inputs.h"
+#include "lab/render/frame_data.h"
+#include "lab/scene/scene.h"
+#include "lab/vk/compute_program.h"
+#include "lab/vk/graphics_program.h"
+#include "lab/vk/timestamps.h"
+
+namespace reprise::lab {
+
+struct RenderSwitches {
+  bool unjitter_textures = false;  // shade at the pixel centre although visibility is jittered
+  float mip_bias = 0.0f;           // levels, added to the plan's
+};
+
+class Renderer {
+ public:
+  Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate);
+
+  VkExtent2D extent() const { return extent_; }
+  const Scene& scene() const { return *scene_; }
+
+  // Makes frame `index` the current one: uploads cameras, transforms and lights of it and of the frames
+  // before (the sequence begins at 0: earlier ones repeat the first).
+  void setFrame(uint32_t index, float mip_bias);
+
+  // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
+  void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
+  void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
+  void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
+  // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean.
+  void recordClearSum(VkCommandBuffer commands) const;
+  void recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
+                        const RenderSwitches& switches, Timestamps* timestamps) const;
+  void recordMean(VkCommandBuffer commands, float scale) const;
+
+  const Image& color() const { return color_; }    // RGBA16F
+  const Image& depth() const { return depth_; }    // D32, reversed, infinite
+  const Image& motion() const { return motion_; }  // RG32F, px
+  const Image& sum() const { return sum_; }        // RGBA32F; a: samples
+  const RepriseCamera& camera() const { return camera_; }
+  float nearPlane() const { return near_plane_; }
+
+  // Surface evaluations since the last call; after the recorded work has finished.
+  uint64_t takeEvaluations();
+
+  // Bytes that determine what setFrame's frame looks like, for content hashes: geometry, transforms,
+  // camera, lights and shaders.
+  std::vector<uint8_t> contentBytes() const;
+
+ private:
+  RepriseCamera cameraAt(double time_s, float* near_plane) const;
+  void createBuffers(Device& device);
+  void createPrograms(Device& device);
+  ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
+
+  std::unique_ptr<Scene> scene_;
+  SceneRun run_;
+  VkExtent2D extent_;
+  double frame_rate_;
+  RepriseCamera camera_{};
+  float near_plane_ = 0.1f;
+
+  Buffer frame_;
+  Buffer vertices_;
+  Buffer indices_;
+  Buffer transforms_;
+  Buffer materials_;
+  Buffer instance_materials_;
+  Buffer counter_;
+  Image visible_;
+  Image depth_;
+  Image motion_;
+  Image color_;
+  Image sum_;
+  GraphicsProgram visibility_program_;
+  ComputeProgram motion_program_;
+  ComputeProgram shade_program_;
+  ComputeProgram accumulate_program_;
+  ComputeProgram mean_program_;
+};
+
+}  // namespace reprise::lab

@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: MIT
+#include "lab/render/scene_source.h"
+
+#include <vector>
+
+namespace reprise::lab {
+namespace {
+
+// Centres of the cells of an n x n grid over the pixel, as jitters.
+std::vector<eq::vec2> stratifiedJitters(uint32_t n) {
+  std::vector<eq::vec2> jitters_px;
+  for (uint32_t y = 0; y < n; ++y) {
+    for (uint32_t x = 0; x < n; ++x) {
+      jitters_px.emplace_back(0.5f - (static_cast<float>(x) + 0.5f) / static_cast<float>(n),
+                              0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(n));
+    }
+  }
+  return jitters_px;
+}
+
+}  // namespace
+
+SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options)
+    : device_(device),
+      options_(options),
+      renderer_(device, run, options.extent, options.frame_rate),
+      references_(device, renderer_, options.reference) {
+  info_ = {.name = run.name,
+           .extent = options.extent,
+           .frame_count = options.frames,
+           .frame_rate = options.frame_rate,
+           .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
+           .context_flags = 0,
+           .plan_is_honoured = true};
+}
+
+FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {
+  const RepriseSamplePlan& sampling = plan.library;
+  renderer_.setFrame(index, sampling.mip_bias + options_.switches.mip_bias);
+  const auto span = [&](const char* name, const auto& record) {
+    if (timestamps_ != nullptr) timestamps_->start(commands, name);
+    record();
+    if (timestamps_ != nullptr) timestamps_->stop(commands);
+  };
+  const eq::vec2 jitter_px(sampling.jitter_px[0], sampling.jitter_px[1]);
+  if (plan.grid > 1) {
+    renderer_.recordClearSum(commands);
+    const std::vector<eq::vec2> jitters_px = stratifiedJitters(plan.grid);
+    renderer_.recordAccumulate(commands, jitters_px, options_.switches, timestamps_);
+    span("mean", [&] {
+      renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size()));
+    });
+  }
+  // Depth and motion are those of the frame's one position also where colour has many.
+  span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
+  span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
+  if (plan.grid <= 1) {
+    const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
+    const ShadeConstants constants{
+        .jitter_px = {jitter_px.x, jitter_px.y},
+        .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
+        .offset_on = offset ? 1u : 0u,
+        .offset_sigma_px = sampling.shading_offset_sigma_px,
+        .offset_seed = sampling.shading_offset_seed,
+        .offset_quadrant = sampling.shading_offset_quadrant};
+    span("shade", [&] { renderer_.recordShade(commands, constants); });
+  }
+
+  FrameInputs inputs;
+  inputs.index = index;
+  inputs.extent = info_.extent;
+  inputs.color = &renderer_.color();
+  inputs.depth = &renderer_.depth();
+  inputs.motion = &renderer_.motion();
+  inputs.jitter_px[0] = jitter_px.x;
+  inputs.jitter_px[1] = jitter_px.y;
+  inputs.near_plane = renderer_.nearPlane();
+  inputs.camera = renderer_.camera();
+  inputs.frame_time_s = static_cast<float>(1.0 / info_.frame_rate);
+  inputs.reset = index == 0;
+  return inputs;
+}
+
+std::optional<FloatImage> SceneSource::reference(uint32_t index) {
+  return references_.reference(index);
+}
+
+FloatImage SceneSource::motion(uint32_t) { return download(device_, renderer_.motion()); }
+
+}  // namespace reprise::lab

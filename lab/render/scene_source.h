@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+
+#include "lab/render/reference.h"
+#include "lab/render/renderer.h"
+
+namespace reprise::lab {
+
+struct SceneSourceOptions {
+  VkExtent2D extent{960, 540};
+  uint32_t frames = 60;
+  double frame_rate = 60.0;
+  RenderSwitches switches;
+  ReferenceOptions reference;
+};
+
+// A live scene as a sequence of frames. Honours the plan: jitter, per-pixel shading offset, mip bias,
+// N x N grid.
+class SceneSource final : public FrameSource {
+ public:
+  SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options);
+
+  const SourceInfo& info() const override { return info_; }
+  FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) override;
+  std::optional<FloatImage> reference(uint32_t index) override;
+  FloatImage motion(uint32_t index) override;
+
+  // Times the passes of the frames to come; null stops it.
+  void setTimestamps(Timestamps* timestamps) { timestamps_ = timestamps; }
+  uint64_t takeEvaluations() { return renderer_.takeEvaluations(); }
+  Renderer& renderer() { return renderer_; }
+  ReferenceStore& references() { return references_; }
+
+ private:
+  Device& device_;
+  SourceInfo info_;
+  SceneSourceOptions options_;
+  Renderer renderer_;
+  ReferenceStore references_;
+  Timestamps* timestamps_ = nullptr;
+};
+
+}  // namespace reprise::lab

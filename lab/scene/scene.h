@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: MIT
+//
+// A scene: meshes, materials, lights and cameras as pure functions of time in seconds. World units are
+// metres, right-handed, y up. A run is named "scene/camera"; a camera may take numbers:
+// "chart/pan:vx=0.25,vy=0.1".
+#pragma once
+
+#include <glm/glm.hpp>
+
+#include <cstdint>
+#include <map>
+#include <memory>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "lab/render/frame_data.h"
+
+namespace reprise::lab {
+
+// One range of the scene's triangles that moves as a whole.
+struct Instance {
+  uint32_t first_index = 0;
+  uint32_t index_count = 0;
+  uint32_t material = 0;
+};
+
+// All triangles of a scene, as the GPU reads them.
+struct Geometry {
+  std::vector<GpuVertex> vertices;
+  std::vector<uint32_t> indices;
+  std::vector<Instance> instances;
+  std::vector<GpuMaterial> materials;
+};
+
+struct CameraPose {
+  glm::vec3 eye_world{0.0f};
+  glm::vec3 target_world{0.0f, 0.0f, -1.0f};
+  glm::vec3 up_world{0.0f, 1.0f, 0.0f};
+  float vertical_fov = 0.8f;  // radians
+  float near_plane = 0.05f;   // metres; the far plane is at infinity
+};
+
+struct CameraParameter {
+  std::string name;
+  double default_value;
+  std::string meaning;
+};
+
+struct CameraInfo {
+  std::string name;
+  std::string motion;  // one line
+  std::vector<CameraParameter> parameters;
+};
+
+// Camera parameters by name; every one of CameraInfo::parameters is present.
+using CameraValues = std::map<std::string, double, std::less<>>;
+
+class Scene {
+ public:
+  virtual ~Scene() = default;
+  virtual const Geometry& geometry() const = 0;
+  // World transform of an instance.
+  virtual glm::mat4 transform(uint32_t instance, double time_s) const = 0;
+  // `height_px` lets a camera move by pixels.
+  virtual CameraPose camera(std::string_view name, const CameraValues& values, double time_s,
+                            uint32_t height_px) const = 0;
+  virtual GpuLight light(double time_s) const = 0;
+};
+
+struct SceneInfo {
+  std::string name;
+  std::string content;  // one line
+  std::vector<CameraInfo> cameras;
+  std::unique_ptr<Scene> (*create)();
+};
+
+// The one list of scenes.
+const std::vector<SceneInfo>& sceneList();
+
+// A run: a scene, one of its cameras, the camera's numbers.
+struct SceneRun {
+  std::string name;  // as written
+  const SceneInfo* scene = nullptr;
+  const CameraInfo* camera = nullptr;
+  CameraValues values;
+};
+
+// Throws std::invalid_argument, naming near ones, for unknown scenes, cameras and parameters.
+SceneRun parseSceneRun(const std::string& text);
+// Whether `text` is meant as a scene: its part before '/' is one, or no such path exists on disk.
+bool namesScene(const std::string& text);
+
+// A rectangle of quads in the plane z = 0, facing +z, centred, uv in metres from its corner.
+void appendWall(Geometry& geometry, float width_m, float height_m, uint32_t columns, uint32_t rows,
+                uint32_t material);
+
+}  // namespace reprise::lab

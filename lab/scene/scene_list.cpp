@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// The one list of scenes; each is defined in its own file.
+#include <charconv>
+#include <filesystem>
+#include <stdexcept>
+
+#include "core/near_names.h"
+#include "lab/scene/scene.h"
+
+namespace reprise::lab {
+
+SceneInfo brickScene();
+SceneInfo chartScene();
+
+const std::vector<SceneInfo>& sceneList() {
+  static const std::vector<SceneInfo> list = {
+      chartScene(),
+      brickScene(),
+  };
+  return list;
+}
+
+namespace {
+
+template <typename List>
+const typename List::value_type& findNamed(const List& list, const std::string& name,
+                                           const std::string& what) {
+  std::vector<std::string> names;
+  std::string all;
+  for (const auto& item : list) {
+    if (item.name == name) return item;
+    names.push_back(item.name);
+    all += (all.empty() ? "" : ", ") + item.name;
+  }
+  const std::string near = nearNames(name, names);
+  throw std::invalid_argument("there is no " + what + " '" + name + "'; " +
+                              (near.empty() ? "there are: " + all : "near: " + near));
+}
+
+}  // namespace
+
+SceneRun parseSceneRun(const std::string& text) {
+  SceneRun run;
+  run.name = text;
+  const size_t colon = text.find(':');
+  const std::string path = text.substr(0, colon);
+  const size_t slash = path.find('/');
+  run.scene = &findNamed(sceneList(), path.substr(0, slash), "scene");
+  if (slash == std::string::npos) {
+    throw std::invalid_argument("scene '" + path + "' needs a camera: '" + path + "/" +
+                                run.scene->cameras.front().name + "'");
+  }
+  run.camera = &findNamed(run.scene->cameras, path.substr(slash + 1),
+                          "camera of scene '" + run.scene->name + "'");
+  for (const CameraParameter& parameter : run.camera->parameters) {
+    run.values[parameter.name] = parameter.default_value;
+  }
+  std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+  while (!rest.empty()) {
+    const size_t comma = rest.find(',');
+    const std::string pair = rest.substr(0, comma);
+    rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
+    const size_t equals = pair.find('=');
+    const std::string name = pair.substr(0, equals);
+    findNamed(run.camera->parameters, name, "number of camera '" + path + "'");
+    const std::string number = equals == std::string::npos ? "" : pair.substr(equals + 1);
+    double value = 0.0;
+    const char* end = number.data() + number.size();
+    if (number.empty() || std::from_chars(number.data(), end, value).ptr != end) {
+      throw std::invalid_argument("camera '" + path + "': '" + pair + "' is not name=number");
+    }
+    run.values[name] = value;
+  }
+  return run;
+}
+
+bool namesScene(const std::string& text) {
+  const std::string scene = text.substr(0, text.find_first_of("/:"));
+  for (const SceneInfo& info : sceneList()) {
+    if (info.name == scene) return true;
+  }
+  return !std::filesystem::exists(text);
+}
+
+void appendWall(Geometry& geometry, float width_m, float height_m, uint32_t columns, uint32_t rows,
+                uint32_t material) {
+  const auto base = static_cast<uint32_t>(geometry.vertices.size());
+  const auto first_index = static_cast<uint32_t>(geometry.indices.size());
+  for (uint32_t y = 0; y <= rows; ++y) {
+    for (uint32_t x = 0; x <= columns; ++x) {
+      const float u = width_m * static_cast<float>(x) / static_cast<float>(columns);
+      const float v = height_m * static_cast<float>(y) / static_cast<float>(rows);
+      geometry.vertices.push_back({{u - 0.5f * width_m, v - 0.5f * height_m, 0.0f, u},
+                                   {0.0f, 0.0f, 1.0f, v}});
+    }
+  }
+  for (uint32_t y = 0; y < rows; ++y) {
+    for (uint32_t x = 0; x < columns; ++x) {
+      const uint32_t corner = base + y * (columns + 1) + x;
+      const uint32_t above = corner + columns + 1;
+      for (const uint32_t index : {corner, corner + 1, above + 1, corner, above + 1, above}) {
+        geometry.indices.push_back(index);
+      }
+    }
+  }
+  geometry.instances.push_back(
+      {first_index, static_cast<uint32_t>(geometry.indices.size()) - first_index, material});
+}
+
+}  // namespace reprise::lab

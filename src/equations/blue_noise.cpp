@@ -1,58 +1,116 @@
 // SPDX-License-Identifier: MIT
 #include "equations/blue_noise.h"
 
+#include <algorithm>
 #include <array>
+#include <cmath>
+
+#include "equations/hash.h"
 
 namespace reprise::eq {
 namespace {
 
-constexpr uint32_t kGrid = 32;
+constexpr uint32_t kGrid = 64;
 constexpr uint32_t kCells = kGrid * kGrid;
-// Ulichney's 1.5 cells suit masks of ranks; here single points must repel across the whole pixel while
-// they are few, so the width follows the mean distance of the points so far.
-constexpr float kWidthPerDistance = 0.5f;
+// Width of a point's energy over the mean distance of the points; Ulichney's 1.5 cells at his density
+// of one cell in ten. It follows the count: few points must repel across the whole pixel.
+constexpr float kWidthPerDistance = 0.474f;
+// 1 in the fixed point of an energy's two factors. Integers, so that every compiler finds the same
+// clusters and voids.
+constexpr float kOne = 1048576.0f;
 
-std::vector<vec2> fillVoids() {
-  std::vector<vec2> points;
-  std::vector<bool> taken(kCells, false);
-  std::vector<uint32_t> cells;
-  uint32_t next = (kGrid / 2) * kGrid + kGrid / 2;
-  while (true) {
-    taken[next] = true;
-    cells.push_back(next);
-    points.emplace_back((static_cast<float>(next % kGrid) + 0.5f) / kGrid - 0.5f,
-                        (static_cast<float>(next / kGrid) + 0.5f) / kGrid - 0.5f);
-    if (points.size() == kMaxBlueNoise) return points;
-
-    // Energy that one point adds at a toroidal offset, for the width that suits this many points.
-    const float sigma = kWidthPerDistance * kGrid / std::sqrt(static_cast<float>(points.size() + 1));
-    std::array<float, kGrid> falloff{};
+// Energy that a point adds at a toroidal offset in cells.
+class Energy {
+ public:
+  explicit Energy(size_t count) {
+    const float sigma = kWidthPerDistance * kGrid / std::sqrt(static_cast<float>(count));
     for (uint32_t d = 0; d < kGrid; ++d) {
       const auto distance = static_cast<float>(std::min(d, kGrid - d));
-      falloff[d] = std::exp(-0.5f * distance * distance / (sigma * sigma));
-    }
-    float lowest = 0.0f;
-    bool found = false;
-    for (uint32_t cell = 0; cell < kCells; ++cell) {
-      if (taken[cell]) continue;
-      float energy = 0.0f;
-      for (const uint32_t other : cells) {
-        energy += falloff[(cell % kGrid + kGrid - other % kGrid) % kGrid] *
-                  falloff[(cell / kGrid + kGrid - other / kGrid) % kGrid];
-      }
-      if (!found || energy < lowest) {
-        lowest = energy;
-        next = cell;
-        found = true;
-      }
+      falloff_[d] = std::llround(kOne * std::exp(-0.5f * distance * distance / (sigma * sigma)));
     }
   }
+  int64_t operator()(uint32_t a, uint32_t b) const {
+    return falloff_[(a % kGrid + kGrid - b % kGrid) % kGrid] *
+           falloff_[(a / kGrid + kGrid - b / kGrid) % kGrid];
+  }
+
+ private:
+  std::array<int64_t, kGrid> falloff_{};
+};
+
+// Ulichney's initial pattern: random cells, then the point of the tightest cluster moves to the largest
+// void until that is where it came from. A start without randomness would end in a lattice.
+std::vector<uint32_t> spreadPoints() {
+  std::vector<uint32_t> points;
+  std::vector<bool> taken(kCells, false);
+  for (uint32_t i = 0; points.size() < kMaxBlueNoise; ++i) {
+    const uint32_t cell = hashPcg(i) % kCells;
+    if (!taken[cell]) points.push_back(cell);
+    taken[cell] = true;
+  }
+  const Energy energy(kMaxBlueNoise);
+  std::vector<int64_t> field(kCells, 0);
+  const auto add = [&](uint32_t point, int64_t sign_of_change) {
+    for (uint32_t cell = 0; cell < kCells; ++cell) {
+      field[cell] += sign_of_change * energy(cell, point);
+    }
+  };
+  for (const uint32_t point : points) add(point, 1);
+  while (true) {
+    const auto tightest = std::max_element(points.begin(), points.end(),
+                                           [&](auto a, auto b) { return field[a] < field[b]; });
+    const uint32_t left = *tightest;
+    taken[left] = false;
+    add(left, -1);
+    uint32_t largest_void = left;
+    for (uint32_t cell = 0; cell < kCells; ++cell) {
+      if (!taken[cell] && field[cell] < field[largest_void]) largest_void = cell;
+    }
+    *tightest = largest_void;
+    taken[largest_void] = true;
+    add(largest_void, 1);
+    if (largest_void == left) return points;
+  }
+}
+
+// Last first: the point of the tightest cluster leaves (his phase I).
+std::vector<uint32_t> ranked(std::vector<uint32_t> points) {
+  std::vector<uint32_t> order(points.size());
+  while (!points.empty()) {
+    const Energy energy(points.size());
+    size_t tightest = 0;
+    int64_t highest = -1;
+    for (size_t i = 0; i < points.size(); ++i) {
+      int64_t sum = 0;
+      for (const uint32_t other : points) sum += energy(points[i], other);
+      if (sum > highest) {
+        highest = sum;
+        tightest = i;
+      }
+    }
+    order[points.size() - 1] = points[tightest];
+    points.erase(points.begin() + static_cast<std::ptrdiff_t>(tightest));
+  }
+  return order;
+}
+
+std::vector<vec2> offsets() {
+  const std::vector<uint32_t> order = ranked(spreadPoints());
+  std::vector<vec2> result;
+  for (const uint32_t cell : order) {
+    // On a torus the whole pattern may move: the first point goes to the centre.
+    const uint32_t x = (cell + kGrid - order[0] % kGrid + kGrid / 2) % kGrid;
+    const uint32_t y = (cell / kGrid + kGrid - order[0] / kGrid + kGrid / 2) % kGrid;
+    result.emplace_back((static_cast<float>(x) + 0.5f) / kGrid - 0.5f,
+                        (static_cast<float>(y) + 0.5f) / kGrid - 0.5f);
+  }
+  return result;
 }
 
 }  // namespace
 
 const std::vector<vec2>& blueNoiseSequence() {
-  static const std::vector<vec2> sequence = fillVoids();
+  static const std::vector<vec2> sequence = offsets();
   return sequence;
 }
 

@@ -51,6 +51,13 @@ EQ_FN float displayFromLinear(float x) {
   float v = max(x, 0.0f);
   return pow(v / (1.0f + v), 1.0f / 2.2f);
 }
+EQ_FN vec3 displayFromLinear(vec3 c) {
+  return vec3(displayFromLinear(c.x), displayFromLinear(c.y), displayFromLinear(c.z));
+}
+
+// Luma as the eye ranks it: Rec. 601 of the display-encoded colour. FXAA's thresholds need it; linear
+// luma has no edges in the dark and too many in the light.
+EQ_FN float perceptualLuma(vec3 c) { return luma601(displayFromLinear(c)); }
 
 EQ_END
 #endif

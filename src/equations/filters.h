@@ -52,5 +52,16 @@ EQ_FN vec4 cubicWeights(float f, float c) {
               (c - 2.0f) * f3 + (3.0f - 2.0f * c) * f2 + c * f, c * (f3 - f2));
 }
 
+// The same with the two inner texels merged into one linear fetch: weights at -1,
+// mergedCubicOffset and 2. Jimenez 2016; Karis 2014.
+EQ_FN vec3 mergedCubicWeights(vec4 weights) {
+  return vec3(weights.x, weights.y + weights.z, weights.w);
+}
+EQ_FN float mergedCubicOffset(vec4 weights) { return weights.z / (weights.y + weights.z); }
+
+// What is left of the nine fetches' weight, 1, when the four corners are dropped: at least 63/64 for
+// c = 0.5.
+EQ_FN float fiveTapWeight(vec3 x, vec3 y) { return 1.0f - (x.x + x.z) * (y.x + y.z); }
+
 EQ_END
 #endif

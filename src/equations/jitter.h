@@ -101,8 +101,8 @@ EQ_FN uint greatestCommonDivisor(uint a, uint b) {
   return a;
 }
 
-// A multiplier near length / golden ratio^... that shares no factor with `length`: x -> k x mod length
-// is then a permutation, and a near-golden k spreads it.
+// A multiplier near length / golden ratio that shares no factor with `length`: x -> k x mod length is
+// then a permutation, and a near-golden k spreads it.
 EQ_FN uint rookStep(uint length) {
   uint step = uint(float(length) * 0.618034f + 0.5f);
   if (step == 0u) step = 1u;
@@ -111,11 +111,15 @@ EQ_FN uint rookStep(uint length) {
 }
 
 // N-rooks (Shirley 1991): each of `length` columns and rows is used once. A rank-1 lattice, whose
-// columns are visited in golden-ratio steps so that neighbouring frames lie apart.
+// columns are visited in golden-ratio steps so that neighbouring frames lie apart. Modulo 4 and 6 every
+// multiplier gives a diagonal; there 1..length modulo the prime length + 1 is the permutation.
 EQ_FN vec2 nRooksOffset(uint index, uint length) {
   uint step = rookStep(length);
   uint column = (index * step) % length;
   uint row = (column * step) % length;
+  if (length == 4u || length == 6u) {
+    row = ((column + 1u) * rookStep(length + 1u)) % (length + 1u) - 1u;
+  }
   return vec2((float(column) + 0.5f) / float(length) - 0.5f,
               (float(row) + 0.5f) / float(length) - 0.5f);
 }
@@ -145,6 +149,19 @@ EQ_FN vec2 msaa8Offset(uint index) {
   return vec2(x / 16.0f - 0.5f, y / 16.0f - 0.5f);
 }
 
+// Vulkan's standard positions of 16 samples, likewise: both sixteenths of a sample in one byte, x in
+// the low half, four samples a word.
+EQ_FN vec2 msaa16Offset(uint index) {
+  uint i = index % 16u;
+  uint word = i < 4u ? 0x7ca55799u : i < 8u ? 0x3bbdda63u : i < 12u ? 0xc22418e6u : 0x01fe4f80u;
+  uint packed_position = (word >> (8u * (i % 4u))) & 255u;
+  return vec2(float(packed_position & 15u) / 16.0f - 0.5f,
+              float(packed_position >> 4u) / 16.0f - 0.5f);
+}
+
+// And of 2: the three quarters and the quarter of the diagonal.
+EQ_FN vec2 msaa2Offset(uint index) { return vec2(index % 2u == 0u ? 0.25f : -0.25f); }
+
 // Uniform4 helix of INSIDE (Pedersen 2016): quarter points, diagonal after diagonal.
 EQ_FN vec2 helixOffset(uint index) {
   uint i = index % 4u;
@@ -153,6 +170,10 @@ EQ_FN vec2 helixOffset(uint index) {
   if (i == 2u) return vec2(0.25f, -0.25f);
   return vec2(-0.25f, 0.25f);
 }
+
+// Length of a Halton cycle that covers the output pixels when the output has `scale` times the input's
+// pixels an axis: 8, 18, 32 for 1, 1.5, 2 (FSR 2).
+EQ_FN uint upscalingLength(float scale) { return uint(8.0f * scale * scale); }
 
 // Frames after which `sequence` repeats when `length` are asked for: fixed patterns keep their own.
 EQ_FN uint jitterPeriod(uint sequence, uint length) {

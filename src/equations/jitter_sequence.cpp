@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "equations/jitter_sequence.h"
 
+#include <algorithm>
+
 #include "equations/blue_noise.h"
 
 namespace reprise::eq {

@@ -17,6 +17,20 @@ EQ_FN float expectedPreviousDepth(vec4 k, vec2 px, float view_depth) {
   return view_depth * (k.x * px.x + k.y * px.y + k.z) + k.w;
 }
 
+// Screen spaces: x right, y down; pixels with centres at + 0.5, uv [0, 1], NDC [-1, 1] (Vulkan).
+EQ_FN vec2 uvFromPx(vec2 px, vec2 extent_px) { return px / extent_px; }
+EQ_FN vec2 pxFromUv(vec2 uv, vec2 extent_px) { return uv * extent_px; }
+EQ_FN vec2 ndcFromUv(vec2 uv) { return uv * 2.0f - vec2(1.0f); }
+EQ_FN vec2 uvFromNdc(vec2 ndc) { return ndc * 0.5f + vec2(0.5f); }
+// What a jitter adds to clip.xy / clip.w; y changes sign where clip space has y up.
+EQ_FN vec2 ndcFromJitter(vec2 jitter_px, vec2 extent_px) { return jitter_px * 2.0f / extent_px; }
+
+// One-sided: false only if the point now seen lies behind what the history saw there, so that it was
+// hidden. A point in front may be the same one: history depth of a silhouette can be the background's.
+EQ_FN bool wasVisible(float expected_depth, float history_depth, float tolerance) {
+  return expected_depth <= history_depth * (1.0f + tolerance);
+}
+
 // Nehab et al. 2007: both depths of one surface, up to a relative tolerance of the farther.
 EQ_FN bool depthsAgree(float a, float b, float tolerance) {
   return abs(a - b) <= tolerance * max(a, b);
@@ -49,13 +63,15 @@ EQ_END
 #ifdef __cplusplus
 namespace reprise::eq {
 
-// C++ only: evaluated once a frame. `kind` is a RepriseDepthKind; the formulas are in reprise.h.
+// C++ only: evaluated once a frame. `kind` is a RepriseDepthKind; the formulas are in reprise.h,
+// divided by the far plane, which may be infinite (not for orthographic).
 inline vec4 viewDepthCoefficients(int kind, float near_plane, float far_plane) {
   const float n = near_plane;
   const float f = far_plane;
+  const float ratio = n / f;
   switch (kind) {
-    case 0: return vec4(0.0f, n * f, n - f, f);       // device
-    case 1: return vec4(0.0f, n * f, f - n, n);       // device, reversed
+    case 0: return vec4(0.0f, n, ratio - 1.0f, 1.0f);   // device
+    case 1: return vec4(0.0f, n, 1.0f - ratio, ratio);  // device, reversed
     case 2: return vec4(0.0f, n, -1.0f, 1.0f);        // device, infinite
     case 3: return vec4(0.0f, n, 1.0f, 0.0f);         // reversed, infinite
     case 5: return vec4(f - n, n, 0.0f, 1.0f);        // orthographic
@@ -72,23 +88,26 @@ inline vec4 viewDepthCoefficients(int kind, float near_plane, float far_plane) {
 inline vec4 previousDepthCoefficients(const float* view, const float* projection,
                                       const float* previous_view, float width_px, float height_px) {
   const bool orthographic = projection[15] == 1.0f && projection[11] == 0.0f;
-  float row[3];  // third row of the rotation part of previous_view * inverse(view)
+  // In double: both translations can be large and nearly cancel.
+  double row[3];  // third row of the rotation part of previous_view * inverse(view)
   for (int column = 0; column < 3; ++column) {
-    row[column] = 0.0f;
-    for (int i = 0; i < 3; ++i) row[column] += previous_view[4 * i + 2] * view[4 * i + column];
+    row[column] = 0.0;
+    for (int i = 0; i < 3; ++i) {
+      row[column] += static_cast<double>(previous_view[4 * i + 2]) * view[4 * i + column];
+    }
   }
   // Third component of the translation: t' - R' R^T t, with row = third row of R' R^T.
-  const float offset = previous_view[14] - (row[0] * view[12] + row[1] * view[13] + row[2] * view[14]);
-  const float sx = 1.0f / projection[0];
-  const float sy = 1.0f / projection[5];
+  const auto offset = static_cast<float>(
+      previous_view[14] - (row[0] * view[12] + row[1] * view[13] + row[2] * view[14]));
+  const auto turn = static_cast<float>(row[2]);
   if (orthographic) {
     // x and y do not scale with z: the affine form in z holds only for views that do not turn.
-    return vec4(0.0f, 0.0f, row[2], -offset);
+    return vec4(0.0f, 0.0f, turn, -offset);
   }
-  const float ax = -row[0] * sx;
-  const float ay = -row[1] * sy;
+  const float ax = -static_cast<float>(row[0]) / projection[0];
+  const float ay = -static_cast<float>(row[1]) / projection[5];
   return vec4(ax * 2.0f / width_px, ay * 2.0f / height_px,
-              ax * (projection[8] - 1.0f) + ay * (projection[9] - 1.0f) + row[2], -offset);
+              ax * (projection[8] - 1.0f) + ay * (projection[9] - 1.0f) + turn, -offset);
 }
 
 }  // namespace reprise::eq

@@ -16,6 +16,14 @@ EQ_FN float sharpenLobe(float low, float high) {
   return max(-to_black, to_white);
 }
 
+// Factor in [1/2, 1] on the lobe, from lumas: a centre unlike all its neighbours is likely noise.
+EQ_FN float sharpenNoiseFactor(float up, float left, float centre, float right, float down) {
+  float low = min(min(min(up, left), min(right, down)), centre);
+  float high = max(max(max(up, left), max(right, down)), centre);
+  float outlying = abs(0.25f * (up + left + right + down) - centre) / max(high - low, 1.0e-6f);
+  return 1.0f - 0.5f * clamp(outlying, 0.0f, 1.0f);
+}
+
 // (lobe * (up + left + right + down) + centre) / (4 lobe + 1), lobe scaled by `strength` in [0, 1].
 EQ_FN vec3 sharpened(vec3 up, vec3 left, vec3 centre, vec3 right, vec3 down, float strength) {
   vec3 low = min(min(up, left), min(right, down));

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// What the lab's shaders read, in GLSL and C++. Buffers are std430; C++ uses GLM's types.
+// What the lab's shaders read, in GLSL and C++. GpuFrame is a std140 uniform block: CPU drivers load
+// uniform data once for many pixels, storage buffers pixel by pixel. The rest is std430.
 #ifndef REPRISE_LAB_FRAME_DATA_H
 #define REPRISE_LAB_FRAME_DATA_H
 
@@ -25,9 +26,18 @@ LAB_CONST kMaxFramesBack = 8u;
 LAB_CONST kMaterialChart = 0u;
 LAB_CONST kMaterialBrick = 1u;
 
+// In an instance's space, or, after the transform pass, in world space (m).
 struct GpuVertex {
-  vec4 position_u;  // xyz in the instance's space (m), w: u
+  vec4 position_u;  // xyz, w: u
   vec4 normal_v;    // xyz unit, w: v
+};
+
+// One a triangle: corners in the vertex buffer, and the material.
+struct GpuTriangle {
+  uint vertex_0;
+  uint vertex_1;
+  uint vertex_2;
+  uint material;
 };
 
 struct GpuMaterial {
@@ -74,6 +84,13 @@ struct ShadeConstants {
 
 struct MotionConstants {
   vec2 jitter_px;
+  uint frames_back;  // as given to the transform pass
+  uint padding;
+};
+
+struct TransformConstants {
+  uint vertex_count;
+  uint row_length;  // vertices a row of the dispatch
   uint frames_back;
   uint padding;
 };

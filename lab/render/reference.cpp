@@ -115,6 +115,7 @@ FloatImage ReferenceStore::reference(uint32_t index) {
         jitters_px.push_back(referenceJitter(i, half, options_.filter));
       }
       device_.submitAndWait([&](VkCommandBuffer commands) {
+        renderer_.recordTransform(commands, 0);
         renderer_.recordClearSum(commands);
         renderer_.recordAccumulate(commands, jitters_px, {}, nullptr);
       });

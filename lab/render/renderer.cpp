@@ -15,6 +15,9 @@ constexpr uint32_t kVisibilityVertexShader[] = {
 constexpr uint32_t kVisibilityFragmentShader[] = {
 #include "visibility.frag.inc"
 };
+constexpr uint32_t kTransformShader[] = {
+#include "transform.comp.inc"
+};
 constexpr uint32_t kMotionShader[] = {
 #include "motion.comp.inc"
 };
@@ -26,6 +29,8 @@ constexpr uint32_t kFinishShader[] = {
 };
 
 constexpr VkDescriptorType kStorageBuffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
+constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
+constexpr VkDescriptorType kTexels = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
 
@@ -72,28 +77,48 @@ void Renderer::createBuffers(Device& device) {
   vertices_ = deviceBuffer(device, spanOf(geometry.vertices));
   indices_ = deviceBuffer(device, spanOf(geometry.indices));
   materials_ = deviceBuffer(device, spanOf(geometry.materials));
-  std::vector<uint32_t> instance_materials;
+  std::vector<GpuTriangle> triangles(geometry.indices.size() / 3);
   for (const Instance& instance : geometry.instances) {
-    instance_materials.push_back(instance.material);
+    for (uint32_t k = 0; k < instance.index_count; k += 3) {
+      const uint32_t* corner = &geometry.indices[instance.first_index + k];
+      triangles[(instance.first_index + k) / 3] = {corner[0], corner[1], corner[2],
+                                                   instance.material};
+    }
   }
-  instance_materials_ = deviceBuffer(device, spanOf(instance_materials));
+  triangles_ = deviceBuffer(device, spanOf(triangles));
+  triangles_.makeTexelView(VK_FORMAT_R32G32B32A32_UINT);
   frame_ = Buffer(device, sizeof(GpuFrame), BufferKind::kHost);
   transforms_ = Buffer(device, (kMaxFramesBack + 1) * geometry.instances.size() * sizeof(glm::mat4),
                        BufferKind::kHost);
+  std::vector<uint32_t> vertex_instances(geometry.vertices.size(), 0);
+  for (uint32_t i = 0; i < geometry.instances.size(); ++i) {
+    const Instance& instance = geometry.instances[i];
+    for (uint32_t k = 0; k < instance.index_count; ++k) {
+      vertex_instances[geometry.indices[instance.first_index + k]] = i;
+    }
+  }
+  vertex_instances_ = deviceBuffer(device, spanOf(vertex_instances));
+  world_ = Buffer(device, vertices_.bytes(), BufferKind::kDevice);
+  world_.makeTexelView(VK_FORMAT_R32G32B32A32_SFLOAT);
+  previous_world_ =
+      Buffer(device, geometry.vertices.size() * sizeof(glm::vec4), BufferKind::kDevice);
+  previous_world_.makeTexelView(VK_FORMAT_R32G32B32A32_SFLOAT);
   counter_ = Buffer(device, sizeof(uint32_t), BufferKind::kHost);
   std::memset(counter_.mapped(), 0, counter_.bytes());
 }
 
 ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
   uint32_t kinds = 0;
-  for (const GpuMaterial& material : scene_->geometry().materials) kinds |= 1u << material.kind;
+  const std::vector<GpuMaterial>& materials = scene_->geometry().materials;
+  for (const GpuMaterial& material : materials) kinds |= 1u << material.kind;
+  const auto only_kind = materials.size() == 1 ? materials[0].kind : ~0u;
   return ComputeProgram(
       device, {.name = "shade",
                .spirv = kShadeShader,
-               .bindings = {kStorageBuffer, kStorageBuffer, kStorageBuffer, kStorageBuffer, kSampled,
-                            kStorageBuffer, kStorageBuffer, kStored, kStored, kStorageBuffer},
+               .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer, kStored, kStored,
+                            kStorageBuffer},
                .push_bytes = sizeof(ShadeConstants),
-               .specialization = {kinds, accumulate ? 1u : 0u}});
+               .specialization = {kinds, accumulate ? 1u : 0u, only_kind}});
 }
 
 void Renderer::createPrograms(Device& device) {
@@ -101,14 +126,20 @@ void Renderer::createPrograms(Device& device) {
       device, {.name = "visibility",
                .vertex_spirv = kVisibilityVertexShader,
                .fragment_spirv = kVisibilityFragmentShader,
-               .bindings = {kStorageBuffer, kStorageBuffer, kStorageBuffer, kStorageBuffer},
+               .bindings = {kUniform, kStorageBuffer, kStorageBuffer},
                .push_bytes = sizeof(VisibilityConstants),
                .color_format = VK_FORMAT_R32G32_UINT});
+  transform_program_ = ComputeProgram(
+      device, {.name = "transform",
+               .spirv = kTransformShader,
+               .bindings = {kUniform, kStorageBuffer, kStorageBuffer, kStorageBuffer,
+                            kStorageBuffer, kStorageBuffer},
+               .push_bytes = sizeof(TransformConstants),
+               .specialization = {}});
   motion_program_ = ComputeProgram(
       device, {.name = "motion",
                .spirv = kMotionShader,
-               .bindings = {kStorageBuffer, kStorageBuffer, kStorageBuffer, kStorageBuffer, kSampled,
-                            kStored},
+               .bindings = {kUniform, kTexels, kTexels, kSampled, kTexels, kStored},
                .push_bytes = sizeof(MotionConstants),
                .specialization = {}});
   shade_program_ = createShadeProgram(device, false);
@@ -160,6 +191,17 @@ void Renderer::setFrame(uint32_t index, float mip_bias) {
   std::memcpy(frame_.mapped(), &data, sizeof(data));
 }
 
+void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) const {
+  constexpr uint32_t kRow = 1024;
+  const auto count = static_cast<uint32_t>(scene_->geometry().vertices.size());
+  transform_program_.dispatch(
+      commands, {kRow, (count + kRow - 1) / kRow},
+      {uniform(frame_), stored(vertices_), stored(vertex_instances_), stored(transforms_),
+       stored(world_), stored(previous_world_)},
+      TransformConstants{count, kRow, std::min(frames_back, kMaxFramesBack), 0});
+  fullBarrier(commands);
+}
+
 void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const {
   // Reversed depth: the far plane is 0.
   beginRendering(commands, &visible_, depth_, 0.0f);
@@ -167,7 +209,7 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
   const std::vector<Instance>& instances = scene_->geometry().instances;
   for (uint32_t i = 0; i < instances.size(); ++i) {
     visibility_program_.push(
-        commands, {stored(frame_), stored(vertices_), stored(indices_), stored(transforms_)},
+        commands, {uniform(frame_), stored(world_), stored(indices_)},
         VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
     vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
   }
@@ -178,21 +220,25 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
 void Renderer::recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px,
                             uint32_t frames_back) const {
   motion_program_.dispatch(commands, extent_,
-                           {stored(frame_), stored(vertices_), stored(indices_),
-                            stored(transforms_), sampled(visible_), stored(motion_)},
+                           {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
+                            texels(previous_world_), stored(motion_)},
                            MotionConstants{{jitter_px.x, jitter_px.y},
                                            std::min(frames_back, kMaxFramesBack),
                                            0});
   fullBarrier(commands);
 }
 
-void Renderer::recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const {
-  shade_program_.dispatch(commands, extent_,
-                          {stored(frame_), stored(vertices_), stored(indices_), stored(transforms_),
-                           sampled(visible_), stored(materials_), stored(instance_materials_),
-                           stored(color_), stored(sum_), stored(counter_)},
-                          constants);
+void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
+                               const ShadeConstants& constants) const {
+  program.dispatch(commands, extent_,
+                   {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
+                    stored(materials_), stored(color_), stored(sum_), stored(counter_)},
+                   constants);
   fullBarrier(commands);
+}
+
+void Renderer::recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const {
+  recordShadeWith(commands, shade_program_, constants);
 }
 
 void Renderer::recordClearSum(VkCommandBuffer commands) const {
@@ -213,13 +259,7 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
     }
     const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
                                    .unjitter = switches.unjitter_textures ? 1u : 0u};
-    accumulate_program_.dispatch(
-        commands, extent_,
-        {stored(frame_), stored(vertices_), stored(indices_), stored(transforms_),
-         sampled(visible_), stored(materials_), stored(instance_materials_), stored(color_),
-         stored(sum_), stored(counter_)},
-        constants);
-    fullBarrier(commands);
+    recordShadeWith(commands, accumulate_program_, constants);
     if (timestamps != nullptr) timestamps->stop(commands);
   }
 }

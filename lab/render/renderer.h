@@ -35,6 +35,8 @@ class Renderer {
   // before (the sequence begins at 0: earlier ones repeat the first).
   void setFrame(uint32_t index, float mip_bias);
 
+  // Before every other pass of a frame: world space of all vertices, now and `frames_back` ago.
+  void recordTransform(VkCommandBuffer commands, uint32_t frames_back) const;
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
   void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
@@ -64,6 +66,8 @@ class Renderer {
   void createBuffers(Device& device);
   void createPrograms(Device& device);
   ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
+  void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
+                       const ShadeConstants& constants) const;
 
   std::unique_ptr<Scene> scene_;
   SceneRun run_;
@@ -75,9 +79,12 @@ class Renderer {
   Buffer frame_;
   Buffer vertices_;
   Buffer indices_;
+  Buffer triangles_;
+  Buffer vertex_instances_;
   Buffer transforms_;
+  Buffer world_;
+  Buffer previous_world_;
   Buffer materials_;
-  Buffer instance_materials_;
   Buffer counter_;
   Image visible_;
   Image depth_;
@@ -85,6 +92,7 @@ class Renderer {
   Image color_;
   Image sum_;
   GraphicsProgram visibility_program_;
+  ComputeProgram transform_program_;
   ComputeProgram motion_program_;
   ComputeProgram shade_program_;
   ComputeProgram accumulate_program_;

@@ -43,6 +43,7 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     if (timestamps_ != nullptr) timestamps_->stop(commands);
   };
   const eq::vec2 jitter_px(sampling.jitter_px[0], sampling.jitter_px[1]);
+  span("transform", [&] { renderer_.recordTransform(commands, 1); });
   if (plan.grid > 1) {
     renderer_.recordClearSum(commands);
     const std::vector<eq::vec2> jitters_px = stratifiedJitters(plan.grid);

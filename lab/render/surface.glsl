@@ -5,11 +5,6 @@
 #ifndef REPRISE_LAB_SURFACE_GLSL
 #define REPRISE_LAB_SURFACE_GLSL
 
-struct Triangle {
-  uvec3 vertices;
-  uint instance;
-};
-
 // Perspective-correct barycentrics at a position in NDC, and their derivatives by NDC. With clip-space
 // corners c_i = (x, y, w), the barycentrics solve  sum b_i c_i = s (ndc.x, ndc.y, 1)  for some s, so
 //   b_i ~ dot(cross(c_j, c_k), (ndc, 1)),

@@ -68,6 +68,7 @@ void ProgramLayout::push(VkCommandBuffer commands, VkPipelineBindPoint point,
     write.descriptorType = item.type;
     write.pImageInfo = &item.image;
     write.pBufferInfo = &item.buffer;
+    write.pTexelBufferView = &item.texels;
     writes.push_back(write);
   }
   vkCmdPushDescriptorSetKHR(commands, point, layout_, 0, static_cast<uint32_t>(writes.size()),

@@ -15,6 +15,7 @@ struct Bound {
   VkDescriptorType type;
   VkDescriptorImageInfo image{};
   VkDescriptorBufferInfo buffer{};
+  VkBufferView texels = VK_NULL_HANDLE;
 };
 
 // texelFetch only: the program's sampler is nearest and clamped.
@@ -30,6 +31,9 @@ inline Bound stored(const Image& image) {
 }
 inline Bound stored(const Buffer& buffer) {
   return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, {buffer.handle(), 0, VK_WHOLE_SIZE}};
+}
+inline Bound texels(const Buffer& buffer) {
+  return {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, {}, {}, buffer.texelView()};
 }
 inline Bound uniform(const Buffer& buffer) {
   return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {}, {buffer.handle(), 0, VK_WHOLE_SIZE}};

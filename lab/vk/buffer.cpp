@@ -10,7 +10,8 @@ Buffer::Buffer(Device& device, uint64_t bytes, BufferKind kind) : device_(&devic
   info.size = bytes;
   info.usage = VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_UNIFORM_BUFFER_BIT |
                VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT |
-               VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT;
+               VK_BUFFER_USAGE_INDEX_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+               VK_BUFFER_USAGE_UNIFORM_TEXEL_BUFFER_BIT;
   check(vkCreateBuffer(device.handle(), &info, nullptr, &buffer_), "vkCreateBuffer");
   VkMemoryRequirements needs{};
   vkGetBufferMemoryRequirements(device.handle(), buffer_, &needs);
@@ -26,8 +27,17 @@ Buffer::Buffer(Device& device, uint64_t bytes, BufferKind kind) : device_(&devic
   }
 }
 
+void Buffer::makeTexelView(VkFormat format) {
+  VkBufferViewCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_VIEW_CREATE_INFO};
+  info.buffer = buffer_;
+  info.format = format;
+  info.range = VK_WHOLE_SIZE;
+  check(vkCreateBufferView(device_->handle(), &info, nullptr, &texel_view_), "vkCreateBufferView");
+}
+
 Buffer::~Buffer() {
   if (device_ == nullptr) return;
+  vkDestroyBufferView(device_->handle(), texel_view_, nullptr);
   vkDestroyBuffer(device_->handle(), buffer_, nullptr);
   vkFreeMemory(device_->handle(), memory_, nullptr);
 }
@@ -36,6 +46,7 @@ Buffer& Buffer::operator=(Buffer&& other) noexcept {
   std::swap(device_, other.device_);
   std::swap(buffer_, other.buffer_);
   std::swap(memory_, other.memory_);
+  std::swap(texel_view_, other.texel_view_);
   std::swap(bytes_, other.bytes_);
   std::swap(mapped_, other.mapped_);
   return *this;

@@ -15,7 +15,8 @@
 
 namespace reprise::lab {
 
-class Image;  // lab/vk/image.h; every image of the lab stays in VK_IMAGE_LAYOUT_GENERAL
+class Timestamps;  // lab/vk/timestamps.h
+class Image;       // lab/vk/image.h; every image of the lab stays in VK_IMAGE_LAYOUT_GENERAL
 
 struct FrameInputs {
   uint32_t index = 0;  // within the sequence, from 0
@@ -32,8 +33,6 @@ struct FrameInputs {
   float pre_exposure = 1.0f;
   float frame_time_s = 1.0f / 60.0f;
   bool reset = false;
-  // Shading evaluations that made `color`; 0 where the source cannot know (captures).
-  uint64_t shading_evaluations = 0;
 };
 
 struct SourceInfo {
@@ -64,6 +63,11 @@ class FrameSource {
   // The input's motion at frame `index`, 2 channels in px, for judging still and moving frames.
   // Valid after the work recorded by frame(index) has been submitted and has finished.
   virtual FloatImage motion(uint32_t index) = 0;
+
+  // Times the passes of the frames to come, where the source renders; null stops it.
+  virtual void setTimestamps(Timestamps*) {}
+  // Shading evaluations of the finished frames since the last call; 0 where they are not known.
+  virtual uint64_t takeEvaluations() { return 0; }
 };
 
 }  // namespace reprise::lab

@@ -27,9 +27,9 @@ class SceneSource final : public FrameSource {
   std::optional<FloatImage> reference(uint32_t index) override;
   FloatImage motion(uint32_t index) override;
 
-  // Times the passes of the frames to come; null stops it.
-  void setTimestamps(Timestamps* timestamps) { timestamps_ = timestamps; }
-  uint64_t takeEvaluations() { return renderer_.takeEvaluations(); }
+  void setTimestamps(Timestamps* timestamps) override { timestamps_ = timestamps; }
+  uint64_t takeEvaluations() override { return renderer_.takeEvaluations(); }
+
   Renderer& renderer() { return renderer_; }
   ReferenceStore& references() { return references_; }
 

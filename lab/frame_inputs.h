@@ -43,6 +43,8 @@ struct SourceInfo {
   RepriseDepthKind depth_kind = REPRISE_DEPTH_REVERSED_INFINITE;
   uint32_t context_flags = 0;     // RepriseContextFlags
   bool plan_is_honoured = false;  // live scenes: yes; captures were sampled when they were written
+  uint32_t reference_samples = 0;  // a pixel; 0: no references
+  std::string reference_filter = "box";
 };
 
 // A sequence of frames, from a scene or from disk. Deterministic: frame(i, plan) gives the same bytes

@@ -31,7 +31,10 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
            .frame_rate = options.frame_rate,
            .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
            .context_flags = 0,
-           .plan_is_honoured = true};
+           .plan_is_honoured = true,
+           .reference_samples = options.reference.samples,
+           .reference_filter =
+               options.reference.filter == ReferenceFilter::kBox ? "box" : "gaussian"};
 }
 
 FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {

@@ -65,8 +65,7 @@ bool CaptureWriter::isWhole(const std::filesystem::path& path) const {
   }
 }
 
-void CaptureWriter::add(Device& device, const FrameInputs& inputs,
-                        const std::optional<FloatImage>& reference) {
+void CaptureWriter::add(Device& device, const FrameInputs& inputs) {
   CaptureFrameInfo info;
   info.number = static_cast<uint32_t>(description_.frames.size()) + 1;
   info.jitter_px[0] = inputs.jitter_px[0];
@@ -96,16 +95,19 @@ void CaptureWriter::add(Device& device, const FrameInputs& inputs,
                 downloadBytes(device, *inputs.motion), 8);
     writeExr(frame_path, file);
   }
-  if (!reference.has_value()) return;
-  const std::filesystem::path reference_path = directory_ / description_.referenceFile(index);
-  if (isWhole(reference_path)) return;
-  ExrImage file{inputs.extent.width, inputs.extent.height, {}, nullptr};
-  const std::span<const float> texels(reference->texels);
+}
+
+void CaptureWriter::addReference(const FloatImage& reference) {
+  const std::filesystem::path path =
+      directory_ / description_.referenceFile(description_.frames.size() - 1);
+  if (isWhole(path)) return;
+  ExrImage file{reference.width, reference.height, {}, nullptr};
+  const std::span<const float> texels(reference.texels);
   for (size_t c = 0; c < 3; ++c) {
     file.channels.push_back(exrChannel(std::string("color.") + "RGB"[c], ExrType::kFloat,
-                                       texels.subspan(c), reference->channels));
+                                       texels.subspan(c), reference.channels));
   }
-  writeExr(reference_path, file);
+  writeExr(path, file);
 }
 
 void CaptureWriter::finish() {

@@ -5,7 +5,6 @@
 #pragma once
 
 #include <filesystem>
-#include <optional>
 #include <string>
 
 #include "lab/capture/description.h"
@@ -23,7 +22,9 @@ class CaptureWriter {
                 bool resume);
 
   // After the work of the frame has finished. Frames come in order from index 0.
-  void add(Device& device, const FrameInputs& inputs, const std::optional<FloatImage>& reference);
+  void add(Device& device, const FrameInputs& inputs);
+  // Of the frame added last.
+  void addReference(const FloatImage& reference);
   // Writes capture.json: until then the directory is no capture.
   void finish();
 

@@ -50,7 +50,8 @@ std::optional<MeanFigures> meanFigures(const std::vector<FrameFigures>& frames,
 
 SequenceFigures measureSequence(const std::vector<FloatImage>& references,
                                 const std::vector<FloatImage>& images,
-                                const std::vector<float>& median_motion_px) {
+                                const std::vector<float>& median_motion_px,
+                                const ErrorMapHandler& on_error_map) {
   const size_t count = images.size();
   if (references.size() < count || median_motion_px.size() < count) {
     throw std::invalid_argument("measureSequence: fewer references than images");
@@ -77,7 +78,10 @@ SequenceFigures measureSequence(const std::vector<FloatImage>& references,
     const FloatImage reference_light = tonemappedImage(references[i]);
     const FloatImage test_light = tonemappedImage(images[i]);
     frame.flip = meanOf(flipErrorMap(reference_light, test_light, kFlipPixelsPerDegree));
-    frame.flip30 = meanOf(flipErrorMap(reference_light, test_light, kFlipNearPixelsPerDegree));
+    const FloatImage error =
+        flipErrorMap(reference_light, test_light, kFlipNearPixelsPerDegree);
+    frame.flip30 = meanOf(error);
+    if (on_error_map) on_error_map(i, error);
     frame.tpsnr = std::numeric_limits<double>::quiet_NaN();
     if (i > 0) {
       frame.temporal_squared_error = temporalSquaredError(

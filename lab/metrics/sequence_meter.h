@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <optional>
 #include <vector>
 
@@ -47,9 +48,12 @@ struct SequenceFigures {
 };
 
 // `references` and `images` linear, RGB or RGBA, a frame each; median_motion_px likewise. Works on all
-// threads of the machine.
+// threads of the machine. `on_error_map`, where given, gets each frame's FLIP error map at
+// kFlipNearPixelsPerDegree, from any thread.
+using ErrorMapHandler = std::function<void(size_t frame, const FloatImage& error)>;
 SequenceFigures measureSequence(const std::vector<FloatImage>& references,
                                 const std::vector<FloatImage>& images,
-                                const std::vector<float>& median_motion_px);
+                                const std::vector<float>& median_motion_px,
+                                const ErrorMapHandler& on_error_map = {});
 
 }  // namespace reprise::lab

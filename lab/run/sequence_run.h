@@ -5,21 +5,22 @@
 #pragma once
 
 #include <functional>
-#include <string>
-#include <utility>
 #include <vector>
 
 #include "lab/frame_inputs.h"
+#include "lab/run/pass_times.h"
 #include "lab/run/resolver.h"
 
 namespace reprise::lab {
 
+// Median |motion| of an image of two channels, in its units.
+float medianLength(const FloatImage& motion);
+
 struct SequenceRun {
   std::vector<FloatImage> images;         // RGBA linear, a frame each
   std::vector<float> median_motion_px;    // of the inputs, |motion|, a frame each
-  // GPU time a frame in ms, by pass, in the order recorded: the source's passes, then the resolve's.
-  std::vector<std::pair<std::string, std::vector<double>>> pass_ms;
-  std::vector<std::string> resolve_passes;  // which of them are the technique's
+  PassTimes render_times;   // the source's passes
+  PassTimes resolve_times;  // the technique's
   double evaluations_per_pixel = 0.0;       // mean over frames; 0 where not known
 };
 
@@ -33,7 +34,5 @@ struct FrameDone {
 // the device; null is allowed. With `keep_images` false, images stay empty.
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
                         bool keep_images, const std::function<void(const FrameDone&)>& done);
-
-double median(std::vector<double> values);
 
 }  // namespace reprise::lab

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: MIT
+#include <fmt/format.h>
+#include <spdlog/spdlog.h>
+
+#include <filesystem>
+#include <memory>
+
+#include "compare_output.h"
+#include "lab/capture/capture_error.h"
+#include "lab/capture/output_file.h"
+#include "lab/metrics/display_space.h"
+#include "lab/metrics/workers.h"
+#include "lab/report/results_table.h"
+#include "lab/run/interrupt.h"
+#include "lab/run/progress.h"
+#include "lab/run/sequence_run.h"
+#include "open_source.h"
+#include "verbs.h"
+
+namespace reprise::app {
+namespace {
+
+struct CompareFlags {
+  std::vector<std::string> sources;
+  std::vector<std::string> techniques;
+  std::filesystem::path directory;
+  SceneFlags scene_flags;
+  std::string layout = "auto";
+  std::filesystem::path baseline;
+  double max_drop_db = 0.1;
+  uint32_t report_mib = 48;
+};
+
+nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value) {
+  switch (info.type) {
+    case REPRISE_SETTING_CHOICE: return info.choices[static_cast<size_t>(value)];
+    case REPRISE_SETTING_BOOLEAN: return value != 0.0;
+    case REPRISE_SETTING_INTEGER: return static_cast<int64_t>(value);
+    default: return value;
+  }
+}
+
+std::vector<lab::FloatImage> readReferences(lab::FrameSource& source, uint32_t frames, bool quiet) {
+  std::vector<lab::FloatImage> references;
+  lab::Progress progress("reference of " + source.info().name, frames, quiet);
+  for (uint32_t index = 0; index < frames; ++index) {
+    lab::throwIfInterrupted();
+    std::optional<lab::FloatImage> reference = source.reference(index);
+    if (!reference.has_value()) {
+      throw lab::CaptureError(source.info().name, fmt::format("frame {}", index + 1),
+                              "has no reference to compare with (reference_NNNN.exr)");
+    }
+    references.push_back(std::move(*reference));
+    progress.step();
+  }
+  return references;
+}
+
+lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) {
+  lab::RunCost cost;
+  const size_t frames = run.images.size();
+  const size_t first = frames > lab::kWarmUpFrames ? lab::kWarmUpFrames : 0;
+  cost.passes_ms = run.resolve_times.medians(first);
+  cost.render_ms = run.render_times.medians(first);
+  for (const auto& [name, ms] : cost.passes_ms) cost.median_ms += ms;
+  cost.shading_evaluations_per_pixel = run.evaluations_per_pixel;
+  cost.history_bytes = resolver.historyBytes();
+  return cost;
+}
+
+lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
+                          const lab::TechniqueChoice& choice,
+                          const std::vector<lab::FloatImage>& references, CompareOutput& output,
+                          bool quiet) {
+  lab::Resolver resolver(device, choice, source.info());
+  const std::string& name = source.info().name;
+  lab::SequenceRun run;
+  {
+    lab::Progress progress(name + " by " + choice.label, references.size(), quiet);
+    run = lab::runSequence(device, source, resolver, static_cast<uint32_t>(references.size()), true,
+                           [&](const lab::FrameDone&) { progress.step(); });
+  }
+  lab::RunResult result;
+  result.source = name;
+  result.technique = choice.label;
+  if (choice.grid > 1) result.settings.emplace_back("n", choice.grid);
+  for (const auto& [info, value] : resolver.settings()) {
+    result.settings.emplace_back(info->name, settingJson(*info, value));
+  }
+  result.reference_samples = source.info().reference_samples;
+  result.reference_filter = source.info().reference_filter;
+  lab::Progress progress("measuring " + choice.label, references.size(), true);
+  result.figures = lab::measureSequence(
+      references, run.images, run.median_motion_px, [&](size_t frame, const lab::FloatImage& error) {
+        const auto index = static_cast<uint32_t>(frame);
+        output.addError(name, choice.label, index, error);
+        output.addImage(name, choice.label, index, lab::displayImage(run.images[frame]));
+      });
+  result.cost = costOf(run, resolver);
+  return result;
+}
+
+int compare(const Globals& globals, const CompareFlags& flags) {
+  const std::vector<lab::TechniqueChoice> choices = lab::parseTechniques(flags.techniques);
+  // Read first: a comparison of an hour must not end in a missing file.
+  const std::string baseline = flags.baseline.empty() ? "" : lab::readWholeFile(flags.baseline);
+  const auto device = openDevice(globals);
+  const auto layout = static_cast<lab::CaptureLayout>(
+      std::find(lab::kCaptureLayouts.begin(), lab::kCaptureLayouts.end(), flags.layout) -
+      lab::kCaptureLayouts.begin());
+  CompareOutput output(flags.directory, uint64_t{flags.report_mib} << 20);
+  lab::Results results;
+  results.command = globals.command;
+  results.device = device->name();
+  results.driver = device->driver();
+  for (const std::string& text : flags.sources) {
+    const auto source = openSource(*device, text, flags.scene_flags, layout);
+    const lab::SourceInfo& info = source->info();
+    if (results.runs.empty()) {
+      results.extent[0] = info.extent.width;
+      results.extent[1] = info.extent.height;
+    }
+    const uint32_t frames = std::min(flags.scene_flags.frames, info.frame_count);
+    // Fails for techniques that cannot work on this source before anything long begins.
+    for (const lab::TechniqueChoice& choice : choices) lab::Resolver(*device, choice, info);
+    const std::vector<lab::FloatImage> references = readReferences(*source, frames, globals.quiet);
+    lab::onWorkers(references.size(), [&](size_t i) {
+      output.addImage(info.name, "reference", static_cast<uint32_t>(i), lab::displayImage(references[i]));
+    });
+    for (const lab::TechniqueChoice& choice : choices) {
+      results.runs.push_back(compareOne(*device, *source, choice, references, output, globals.quiet));
+    }
+    reportCapture(*source, true);
+  }
+  output.finish(results);
+  globals.print(lab::resultsTable(results));
+  globals.print(fmt::format("\nreport: {}\n", (flags.directory / "report.html").string()));
+  globals.printJson(lab::resultsJson(results));
+  int code = validationResult(*device);
+  if (!flags.baseline.empty()) {
+    const lab::BaselineCheck check =
+        lab::checkBaseline(results, baseline, flags.baseline.string(), flags.max_drop_db);
+    for (const std::string& failure : check.failures) spdlog::error("{}", failure);
+    globals.print(fmt::format("baseline: {} runs compared, {} failed\n", check.compared, check.failures.size()));
+    if (!check.failures.empty() && code == kDone) code = kCheckFailed;
+  }
+  return code;
+}
+
+}  // namespace
+
+void addCompare(CLI::App& app, const Globals& globals, Action& action) {
+  CLI::App* verb = app.add_subcommand("compare", "measures techniques against the reference and writes a report");
+  auto flags = std::make_shared<CompareFlags>();
+  verb->add_option("SOURCE", flags->sources, "scenes (brick/pan) or directories of captures with references")
+      ->required();
+  verb->add_option("-t,--techniques", flags->techniques,
+                   "techniques with settings, separated by spaces or commas: none,taa:alpha=0.05,ss:n=4")
+      ->required();
+  verb->add_option("-o,--output", flags->directory, "directory of the results")->required();
+  flags->scene_flags.addTo(*verb, true);
+  verb->add_option("--layout", flags->layout, "channel names of captures without capture.json")
+      ->check(CLI::IsMember(lab::kCaptureLayouts))
+      ->capture_default_str();
+  verb->add_option("--baseline", flags->baseline, "an earlier results.json: exit 1 where PSNR fell");
+  verb->add_option("--max-drop", flags->max_drop_db, "dB by which PSNR may fall below the baseline's")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  verb->add_option("--report-mib", flags->report_mib,
+                   "MiB of pictures in report.html; beyond it every second frame is left out of the page")
+      ->check(CLI::Range(1u, 2048u))
+      ->capture_default_str();
+  verb->footer("Example: reprise compare brick/pan -t none,taa,ss:n=4 --size 480x270 --frames 32 -o /tmp/compare");
+  verb->callback([&globals, &action, flags] {
+    action = [&globals, flags] { return compare(globals, *flags); };
+  });
+}
+
+}  // namespace reprise::app

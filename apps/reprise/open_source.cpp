@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: MIT
+#include "open_source.h"
+
+#include <spdlog/spdlog.h>
+
+#include "lab/capture/capture_source.h"
+#include "lab/run/technique_choice.h"
+
+namespace reprise::app {
+
+void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
+  verb.add_option("--size", extent, "extent of scenes, WIDTHxHEIGHT in [1, 16384]")->capture_default_str();
+  verb.add_option("--frames", frames, "frames; of a capture, at most as many as it has")
+      ->check(CLI::Range(1u, 1000000u))
+      ->capture_default_str();
+  verb.add_option("--fps", frame_rate, "frames a second of scenes")
+      ->check(CLI::Range(0.001, 100000.0))
+      ->capture_default_str();
+  verb.add_flag("--unjitter-textures", unjitter_textures,
+                "scenes: textures are looked up at the pixel centre although visibility is jittered");
+  verb.add_option("--mip-bias", mip_bias, "scenes: levels added to what the technique asks for")
+      ->check(CLI::Range(-8.0f, 8.0f))
+      ->capture_default_str();
+  if (!with_reference) return;
+  verb.add_option("--samples", reference_samples, "reference samples a pixel, even")
+      ->check(CLI::Range(2u, 65536u))
+      ->capture_default_str();
+  verb.add_option("--reference-filter", reference_filter,
+                  "box (1 px) or gaussian (0.4737 px, not truncated)")
+      ->check(CLI::IsMember({"box", "gaussian"}))
+      ->capture_default_str();
+  verb.add_option("--cache", cache,
+                  "directory of rendered references, or none (default: $REPRISE_CACHE, "
+                  "$XDG_CACHE_HOME/reprise, ~/.cache/reprise)");
+}
+
+lab::SceneSourceOptions SceneFlags::options() const {
+  if (reference_samples % 2 != 0) throw lab::UsageError("--samples must be even");
+  lab::SceneSourceOptions options;
+  options.extent = parseExtent(extent);
+  options.frames = frames;
+  options.frame_rate = frame_rate;
+  options.switches.unjitter_textures = unjitter_textures;
+  options.switches.mip_bias = mip_bias;
+  options.reference.samples = reference_samples;
+  options.reference.filter = reference_filter == "box" ? lab::ReferenceFilter::kBox
+                                                       : lab::ReferenceFilter::kGaussian;
+  options.reference.cache = cache;
+  return options;
+}
+
+std::unique_ptr<lab::FrameSource> openSource(lab::Device& device, const std::string& text,
+                                             const SceneFlags& flags, lab::CaptureLayout layout) {
+  std::unique_ptr<lab::FrameSource> source;
+  if (lab::namesScene(text)) {
+    auto scene = std::make_unique<lab::SceneSource>(device, lab::parseSceneRun(text), flags.options());
+    scene->references().setWarning([](const std::string& line) { spdlog::warn("{}", line); });
+    source = std::move(scene);
+  } else {
+    source = std::make_unique<lab::CaptureSource>(device, text, layout);
+  }
+  reportCapture(*source, false);
+  return source;
+}
+
+void reportCapture(const lab::FrameSource& source, bool finished) {
+  const auto* capture = dynamic_cast<const lab::CaptureSource*>(&source);
+  if (capture == nullptr) return;
+  if (!finished) {
+    for (const std::string& warning : capture->warnings()) spdlog::warn("{}", warning);
+    return;
+  }
+  const lab::Repairs& repairs = capture->repairs();
+  if (repairs.total() == 0) return;
+  spdlog::warn("{}: NaN or infinite pixels replaced: colour {}, depth {}, motion {}",
+               capture->info().name, repairs.color, repairs.depth, repairs.motion);
+}
+
+}  // namespace reprise::app

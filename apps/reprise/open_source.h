@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: MIT
+#pragma once
+
+#include <memory>
+#include <string>
+
+#include "lab/capture/layouts.h"
+#include "lab/render/scene_source.h"
+#include "verbs.h"
+
+namespace reprise::app {
+
+// What a scene is rendered with; a capture has its own.
+struct SceneFlags {
+  std::string extent = "960x540";
+  uint32_t frames = 60;
+  double frame_rate = 60.0;
+  uint32_t reference_samples = 256;
+  std::string reference_filter = "box";
+  std::string cache;
+  bool unjitter_textures = false;
+  float mip_bias = 0.0f;
+
+  void addTo(CLI::App& verb, bool with_reference);
+  lab::SceneSourceOptions options() const;
+};
+
+// A scene ("brick/pan") or a capture's directory. Throws what its parts throw.
+std::unique_ptr<lab::FrameSource> openSource(lab::Device& device, const std::string& text,
+                                             const SceneFlags& flags, lab::CaptureLayout layout);
+
+// Logs assumptions of a capture once it is open, and repairs once it has run.
+void reportCapture(const lab::FrameSource& source, bool finished);
+
+}  // namespace reprise::app

@@ -64,7 +64,7 @@ SceneInfo brickScene() {
   return {.name = "brick",
           .content = "random-colour bricks, noisy mortar, pits, bump mapping, one light",
           .cameras = {{"pan", "sideways and a little up, constant speed",
-                       {{"speed", 0.35, "metres a second; 0.35 is about 1.6 px a frame at 540 rows"}}},
+                       {{"speed", 0.35, "metres a second; 0.35 is about 1.9 px a frame at 540 rows"}}},
                       {"rotate", "rolls and sways", {}},
                       {"zoom", "in and out, twice the size and back", {}},
                       {"still", "does not move", {}}},

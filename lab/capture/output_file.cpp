@@ -7,7 +7,7 @@
 #include <cerrno>
 #include <cstring>
 #include <fstream>
-#include <sstream>
+#include <iterator>
 
 #include "lab/capture/capture_error.h"
 
@@ -45,9 +45,9 @@ void makeOutputDirectory(const std::filesystem::path& path) {
 
 std::string readWholeFile(const std::filesystem::path& path) {
   std::ifstream file(path, std::ios::binary);
-  std::ostringstream text;
-  if (!file || !(text << file.rdbuf())) throw CaptureError(path.string(), "", "cannot be read");
-  return text.str();
+  std::string text((std::istreambuf_iterator<char>(file)), std::istreambuf_iterator<char>());
+  if (!file.is_open() || file.bad()) throw CaptureError(path.string(), "", "cannot be read");
+  return text;
 }
 
 }  // namespace reprise::lab

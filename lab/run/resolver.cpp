@@ -39,7 +39,8 @@ RepriseImage asInput(const Image* image) {
 }  // namespace
 
 Resolver::Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source)
-    : choice_(choice),
+    : device_(device),
+      choice_(choice),
       context_(createContext(device, choice, source)),
       output_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = source.extent}),
       pass_names_(context_.passNames()) {}
@@ -51,6 +52,7 @@ SamplePlan Resolver::plan(uint32_t frame_index) const {
 void Resolver::record(VkCommandBuffer commands, const FrameInputs& inputs, Timestamps* timestamps) {
   RepriseFrame frame{};
   frame.frame_index = inputs.index;
+  frame.input_extent = inputs.extent;
   frame.color = asInput(inputs.color);
   frame.depth = asInput(inputs.depth);
   frame.motion = asInput(inputs.motion);

@@ -22,10 +22,13 @@ class Resolver {
   Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source);
 
   const TechniqueChoice& choice() const { return choice_; }
+  Device& device() const { return device_; }
+  // For what the lab does not do itself: resets, resizes, other settings. output() keeps its extent.
+  OwnedContext& context() { return context_; }
   SamplePlan plan(uint32_t frame_index) const;
   // Records the resolve of `inputs` into output(). With `timestamps`, its passes are timed by name.
   void record(VkCommandBuffer commands, const FrameInputs& inputs, Timestamps* timestamps);
-  // RGBA16F, or RGBA32F where the input colour is.
+  // RGBA32F: what is measured is the technique, not the rounding of its output.
   const Image& output() const { return output_; }
 
   std::vector<RepriseMemoryItem> memory() const { return context_.memory(); }
@@ -35,6 +38,7 @@ class Resolver {
   std::vector<std::pair<const RepriseSettingInfo*, double>> settings() const;
 
  private:
+  Device& device_;
   TechniqueChoice choice_;
   OwnedContext context_;
   Image output_;

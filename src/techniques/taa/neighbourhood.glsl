@@ -46,10 +46,21 @@ Bound extremes(vec3 s[9]) {
   return Bound(low, high);
 }
 
+// History is stored in halves and so is off by up to 2^-10 of its largest channel. Where the samples
+// share a hue (a grey wall) a bound has no extent along it, and clipping along a line would then take
+// all of history's detail for that rounding: bounds are grown by twice the error.
+const float kBoundSlack = 2.0 / 1024.0;
+
+float boundSlack(vec3 history, vec3 current) {
+  vec3 largest = max(abs(history), abs(current));
+  return kBoundSlack * max(largest.x, max(largest.y, largest.z));
+}
+
 // Along the line from the current sample, to where it leaves the slabs that hold all nine samples along
 // each of 16 axes (eq. 5c). `widen` scales each slab about its centre.
 vec3 clipToKdop(vec3 history, vec3 current, vec3 s[9], float widen) {
   vec3 travel = history - current;
+  float slack = boundSlack(history, current);
   float t = 1.0;
   for (uint a = 0u; a < kKdopAxes; ++a) {
     vec3 axis = kdopAxis(a);
@@ -60,7 +71,7 @@ vec3 clipToKdop(vec3 history, vec3 current, vec3 s[9], float widen) {
       low = min(low, along);
       high = max(high, along);
     }
-    float grow = 0.5 * (high - low) * (widen - 1.0);
+    float grow = 0.5 * (high - low) * (widen - 1.0) + slack;
     t = min(t, slabExit(dot(axis, current), dot(axis, travel), low - grow, high + grow));
   }
   return current + travel * t;
@@ -83,6 +94,9 @@ vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) 
     low = centre - half_size;
     high = centre + half_size;
   }
+  float slack = boundSlack(history, current);
+  low -= slack;
+  high += slack;
   if (kClipToward == kTowardCentre) return clipTowardBoxCentre(low, high, history);
   if (kClipToward == kTowardSample) return clipTowardSample(low, high, current, history);
   return clampToBox(low, high, history);

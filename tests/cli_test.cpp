@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+//
+// The command line as its users meet it: each verb once on a small job, exit codes, errors in one line,
+// resumption, the report in a browser.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <cstdio>
+#include <cstdlib>
+#include <fstream>
+#include <nlohmann/json.hpp>
+
+#include "lab/capture/exr_file.h"
+#include "lab/capture/output_file.h"
+#include "lab/capture/temporary_directory.h"
+
+namespace reprise::lab {
+namespace {
+
+struct Ran {
+  int code = -1;
+  std::string out;
+  std::string error;
+};
+
+class Cli : public testing::Test {
+ protected:
+  Ran shell(const std::string& command) const {
+    const std::string error_path = path("stderr");
+    std::FILE* pipe = popen(("cd " + directory.path().string() + " && " + command + " 2>" + error_path).c_str(), "r");
+    Ran ran;
+    char buffer[4096];
+    for (size_t n; (n = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) ran.out.append(buffer, n);
+    const int status = pclose(pipe);
+    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
+    ran.error = readWholeFile(error_path);
+    return ran;
+  }
+  Ran reprise(const std::string& arguments) const {
+    return shell("REPRISE_CACHE=" + path("cache") + " " REPRISE_COMMAND " " + arguments);
+  }
+  std::string path(const char* name) const { return (directory.path() / name).string(); }
+  bool exists(const char* name) const { return std::filesystem::exists(directory.path() / name); }
+
+  void renderSmall(const char* extra = "") const {
+    const Ran ran = reprise(std::string("render chart/pan --size 64x36 --frames 10 --samples 4 --reference -o cap ") + extra);
+    ASSERT_EQ(ran.code, 0) << ran.error;
+  }
+
+  TemporaryDirectory directory;
+};
+
+TEST_F(Cli, ListShowsEverythingAndItsJsonIsOneDocument) {
+  const Ran text = reprise("list");
+  EXPECT_EQ(text.code, 0) << text.error;
+  for (const char* word : {"taa", "reprojection", "none", "ss", "brick/pan", "chart/still", "Devices"}) {
+    EXPECT_NE(text.out.find(word), std::string::npos) << word;
+  }
+  const Ran json = reprise("list --json");
+  const auto document = nlohmann::json::parse(json.out);
+  EXPECT_GE(document["techniques"].size(), 4u);
+  EXPECT_GE(document["devices"].size(), 1u);
+  EXPECT_NE(reprise("list taa").out.find("from: "), std::string::npos);
+}
+
+TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
+  for (const char* verb : {"list", "render", "filter", "compare", "bench"}) {
+    const Ran ran = reprise(std::string(verb) + " --help");
+    EXPECT_EQ(ran.code, 0) << verb;
+    EXPECT_NE(ran.out.find("Example: reprise "), std::string::npos) << verb;
+  }
+  EXPECT_NE(reprise("--version").out.find("reprise 0."), std::string::npos);
+}
+
+TEST_F(Cli, WrongUsageIsTwo) {
+  const struct {
+    const char* arguments;
+    const char* message;
+  } cases[] = {
+      {"", "subcommand"},
+      {"filtre", ""},
+      {"compare brick/pan -t taaa -o x", "there is no technique 'taaa'; near: 'taa'"},
+      {"compare brick/pan -t taa:alhpa=1 -o x", "near: 'alpha'"},
+      {"compare brick/pan -t taa:alpha=7 -o x", "must be a number in [0.001, 1]"},
+      {"compare brick/pan -t taa,taa -o x", "named twice"},
+      {"compare brick/span -t taa -o x", "near: "},
+      {"compare brik/pan -t taa -o x --size 64x36", "brick"},
+      {"compare brick/pan -t taa -o x --size 64", "'64' is no extent"},
+      {"compare brick/pan -t taa -o x --samples 3 --size 64x36", "--samples must be even"},
+      {"render brick/pan -o x --frames 0", "--frames"},
+      {"--device nonsense compare brick/pan -t taa -o x", ""},
+  };
+  for (const auto& c : cases) {
+    const Ran ran = reprise(c.arguments);
+    const int expected = std::string(c.arguments).find("nonsense") != std::string::npos ? 4 : 2;
+    EXPECT_EQ(ran.code, expected) << c.arguments << "\n" << ran.error;
+    EXPECT_NE(ran.error.find(c.message), std::string::npos) << c.arguments << "\n" << ran.error;
+    EXPECT_FALSE(exists("x/results.json"));
+  }
+}
+
+TEST_F(Cli, BadCapturesAreThreeInOneLine) {
+  renderSmall();
+  const std::string json = readWholeFile(path("cap/capture.json"));
+  const auto expectInput = [&](const std::string& arguments, const char* message) {
+    const Ran ran = reprise(arguments);
+    EXPECT_EQ(ran.code, 3) << arguments << "\n" << ran.error;
+    EXPECT_NE(ran.error.find(message), std::string::npos) << arguments << "\n" << ran.error;
+    size_t errors = 0;
+    for (size_t at = ran.error.find("error:"); at != std::string::npos; at = ran.error.find("error:", at + 1)) ++errors;
+    EXPECT_EQ(errors, 1u) << ran.error;
+  };
+  expectInput("filter nowhere -o out", "nowhere: there is no such directory");
+  std::ofstream(path("cap/capture.json")) << std::string(json).replace(json.find("frame_rate"), 10, "frame_rat");
+  expectInput("filter cap -o out", "cap/capture.json: frame_rat: unknown key; near: 'frame_rate'");
+  std::ofstream(path("cap/capture.json")) << json;
+  const auto fifth = directory.path() / "cap/frame_0005.exr";
+  const std::string whole = readWholeFile(fifth);
+  std::filesystem::resize_file(fifth, 500);
+  expectInput("filter cap -o out", "frame_0005.exr");
+  EXPECT_TRUE(exists("out/frame_0004.exr"));  // what was written stays
+  EXPECT_FALSE(exists("out/frame_0005.exr"));
+  std::filesystem::remove(fifth);
+  expectInput("filter cap -o out", "frame 5: the file is missing");
+  writeOutputFile(fifth, whole);
+  std::filesystem::remove(directory.path() / "cap/reference_0003.exr");
+  expectInput("compare cap -t none -o cmp", "frame 3: has no reference");
+  std::ofstream(path("file")) << "x";
+  expectInput("filter cap -o file/below", "cannot be created");
+  EXPECT_EQ(reprise("filter cap -o cap").code, 2);  // would overwrite its own input
+  EXPECT_EQ(reprise("compare cap -t ss:n=2 -o cmp").code, 2);
+  EXPECT_EQ(reprise("filter cap -o out2").code, 0);
+}
+
+TEST_F(Cli, FilterKeepsTheFilesAndResumes) {
+  renderSmall();
+  ASSERT_EQ(reprise("filter cap -t taa -o out --png --quiet").code, 0);
+  const ExrImage in = readExr(directory.path() / "cap/frame_0010.exr");
+  const ExrImage out = readExr(directory.path() / "out/frame_0010.exr");
+  ASSERT_EQ(out.channels.size(), in.channels.size());
+  EXPECT_EQ(out.find("depth.Z")->texels, in.find("depth.Z")->texels);
+  EXPECT_EQ(out.find("color.R")->type, in.find("color.R")->type);
+  EXPECT_NE(out.find("color.R")->texels, in.find("color.R")->texels);
+  EXPECT_TRUE(exists("out/frame_0010.png"));
+
+  const std::string ninth = readWholeFile(path("out/frame_0009.exr"));
+  std::filesystem::resize_file(directory.path() / "out/frame_0009.exr", 99);
+  const Ran resumed = reprise("filter cap -t taa -o out --resume --json");
+  EXPECT_EQ(resumed.code, 0) << resumed.error;
+  EXPECT_EQ(nlohmann::json::parse(resumed.out)["kept"], 9);
+  EXPECT_EQ(readWholeFile(path("out/frame_0009.exr")), ninth);
+  EXPECT_EQ(reprise("filter cap -t taa:alpha=0.5 -o out --resume").code, 2);
+}
+
+TEST_F(Cli, FilterGuessesWithoutDescriptionAndSaysSo) {
+  renderSmall();
+  std::filesystem::remove(directory.path() / "cap/capture.json");
+  for (int i = 1; i <= 10; ++i) {
+    char name[64];
+    std::snprintf(name, sizeof(name), "cap/reference_%04d.exr", i);
+    std::filesystem::remove(directory.path() / name);
+  }
+  const Ran ran = reprise("filter cap -o out");
+  EXPECT_EQ(ran.code, 0) << ran.error;
+  EXPECT_NE(ran.error.find("capture.json is missing; assumed:"), std::string::npos);
+  EXPECT_NE(ran.error.find("jitter is not known"), std::string::npos);
+  EXPECT_EQ(reprise("filter cap -o out2 --layout blender").code, 3);
+}
+
+TEST_F(Cli, VideoIsWrittenOrRefusedInOneLine) {
+  renderSmall();
+  const bool ffmpeg = std::system("ffmpeg -version >/dev/null 2>&1") == 0;
+  const Ran ran = reprise("filter cap -o out --video film.mp4");
+  EXPECT_EQ(ran.code, ffmpeg ? 0 : 3) << ran.error;
+  EXPECT_EQ(exists("film.mp4"), ffmpeg);
+}
+
+TEST_F(Cli, InterruptedIs130AndLeavesWholeFiles) {
+  const Ran ran = shell("REPRISE_CACHE=none timeout -s INT 3 " REPRISE_COMMAND
+                        " render brick/pan --size 960x540 --frames 2000 -o cap");
+  // timeout reports 124 whatever its child returned; the child's own line says it.
+  EXPECT_NE(ran.error.find("interrupted; what is written is whole"), std::string::npos) << ran.error;
+  EXPECT_FALSE(exists("cap/capture.json"));
+  for (const auto& entry : std::filesystem::directory_iterator(directory.path() / "cap")) {
+    EXPECT_EQ(entry.path().extension(), ".exr");
+    EXPECT_NO_THROW(readExr(entry.path()));
+  }
+  const Ran code = shell("(REPRISE_CACHE=none " REPRISE_COMMAND
+                         " render brick/pan --size 960x540 --frames 2000 -o cap & p=$!; sleep 2; kill -INT $p; wait $p)");
+  EXPECT_EQ(code.code, 130) << code.error;
+}
+
+TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
+  const std::string compare = "compare chart/pan chart/still -t none,reprojection,taa:alpha=0.1,clip=none,ss:n=2 "
+                              "--size 64x36 --frames 12 --samples 16 -o cmp";
+  const Ran ran = reprise(compare);
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  EXPECT_NE(ran.out.find("PSNR"), std::string::npos);
+  for (const char* name : {"cmp/results.json", "cmp/results.csv", "cmp/report.html",
+                           "cmp/frames/chart-pan/none/0011.png", "cmp/frames/chart-pan/reference/0000.png",
+                           "cmp/errors/chart-still/ss-n=2/0003.png"}) {
+    EXPECT_TRUE(exists(name)) << name;
+  }
+  const auto results = nlohmann::json::parse(readWholeFile(path("cmp/results.json")));
+  ASSERT_EQ(results["runs"].size(), 8u);
+  EXPECT_EQ(results["version"], 1);
+  EXPECT_EQ(results["extent"], nlohmann::json({64, 36}));
+  const auto& run = results["runs"][2];
+  EXPECT_EQ(run["technique"], "taa:alpha=0.1,clip=none");
+  EXPECT_EQ(run["settings"]["alpha"], 0.1);
+  EXPECT_EQ(run["settings"]["clip"], "none");
+  EXPECT_EQ(run["reference"]["samples"], 16);
+  EXPECT_EQ(run["frames"].size(), 12u);
+  EXPECT_EQ(run["mean"]["frames"], 4);
+  EXPECT_TRUE(run["still"].is_null());
+  EXPECT_TRUE(results["runs"][4]["moving"].is_null());
+  EXPECT_GT(run["cost"]["gpu_ms"]["passes"]["resolve"], 0.0);
+  EXPECT_GT(run["cost"]["history_bytes"], 0);
+  EXPECT_NEAR(results["runs"][3]["cost"]["shading_evaluations_per_pixel"].get<double>(), 4.0, 0.01);
+
+  EXPECT_EQ(reprise(compare + " --baseline cmp/results.json --quiet").code, 0);
+  auto raised = results;
+  raised["runs"][2]["mean"]["psnr"] = results["runs"][2]["mean"]["psnr"].get<double>() + 0.5;
+  std::ofstream(path("raised.json")) << raised.dump();
+  const Ran gate = reprise(compare + " --baseline raised.json --max-drop 0.1");
+  EXPECT_EQ(gate.code, 1);
+  EXPECT_NE(gate.error.find("taa:alpha=0.1,clip=none: PSNR"), std::string::npos) << gate.error;
+  EXPECT_EQ(reprise(compare + " --baseline raised.json --max-drop 0.6 --quiet").code, 0);
+  EXPECT_EQ(reprise(compare + " --baseline missing.json").code, 3);
+  const Ran json = reprise(compare + " --json");
+  EXPECT_EQ(nlohmann::json::parse(json.out)["runs"].size(), 8u);
+}
+
+TEST_F(Cli, TheReportWorksInABrowser) {
+  ASSERT_EQ(reprise("compare chart/pan -t none,taa --size 64x36 --frames 10 --samples 16 -o cmp").code, 0);
+  if (std::system("chromium --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not installed";
+  const std::string page = readWholeFile(path("cmp/report.html"));
+  // Self-contained: nothing is fetched.
+  for (const char* mark : {" src=\"http", "href=\"http", "@import", "url(http"}) {
+    EXPECT_EQ(page.find(mark), std::string::npos) << mark;
+  }
+  writeOutputFile(path("probe.html"), page + "<script>" + readWholeFile(REPRISE_CHROMIUM_SCRIPT) + "</script>");
+  const Ran ran = shell("timeout 120 chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
+                        "--disable-background-networking --no-first-run --user-data-dir=profile "
+                        "--window-size=1200,1000 --virtual-time-budget=20000 --dump-dom file://" + path("probe.html"));
+  const size_t begin = ran.out.rfind("PROBE ");
+  ASSERT_NE(begin, std::string::npos) << ran.error.substr(0, 2000);
+  const std::string found = ran.out.substr(begin, ran.out.find(" END", begin) - begin);
+  for (const char* expected : {"rows=2", "series=2", "metric=FLIP", "drawn0=none|reference|slider|0|4", "flips=true",
+                               "drawn1=none|reference|difference|0|4", "drawn2=flip of none|reference|side|9|4",
+                               "size=true", "flip of taa"}) {
+    EXPECT_NE(found.find(expected), std::string::npos) << expected << "\n" << found;
+  }
+  EXPECT_EQ(found.find("error="), std::string::npos) << found;
+}
+
+TEST_F(Cli, BenchTimesEachPass) {
+  const Ran ran = reprise("bench -t taa,none --size 64x36 --frames 3 -o b");
+  EXPECT_EQ(ran.code, 0) << ran.error;
+  EXPECT_NE(ran.out.find("of copy bandwidth"), std::string::npos);
+  const auto json = nlohmann::json::parse(readWholeFile(path("b/bench.json")));
+  ASSERT_EQ(json["runs"].size(), 2u);
+  EXPECT_EQ(json["runs"][0]["passes"][0]["pass"], "resolve");
+  EXPECT_GT(json["runs"][0]["bytes_moved_at_least"], 64 * 36 * 36);
+  EXPECT_GT(json["copy_bytes_per_second"], 0.0);
+}
+
+TEST_F(Cli, ValidationStaysSilent) {
+  const Ran ran = reprise("--validation compare brick/pan -t none,reprojection,taa,taa:average=3,sharpen=0.5,ss:n=2 "
+                          "--size 65x37 --frames 10 --samples 4 -o cmp");
+  if (ran.error.find("validation layer") != std::string::npos && ran.code == 4) {
+    GTEST_SKIP() << ran.error;
+  }
+  EXPECT_EQ(ran.code, 0) << ran.error;
+}
+
+}  // namespace
+}  // namespace reprise::lab

@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: MIT
+#include "formula_source.h"
+
+namespace reprise::lab {
+namespace {
+
+constexpr uint32_t kReferenceGrid = 32;
+
+}  // namespace
+
+FormulaSource::FormulaSource(Device& device, VkExtent2D extent, Formula formula)
+    : device_(device),
+      info_{.name = "formula",
+            .extent = extent,
+            .frame_count = 1000,
+            .frame_rate = 60.0,
+            .depth_kind = REPRISE_DEPTH_PLANAR,
+            .plan_is_honoured = true},
+      formula_(std::move(formula)),
+      // Float colour: the tests' tolerances are the technique's own.
+      color_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = extent}),
+      depth_(device, {.format = VK_FORMAT_R32_SFLOAT, .extent = extent}),
+      motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}) {}
+
+FrameInputs FormulaSource::prepare(uint32_t index, const SamplePlan& plan) {
+  const VkExtent2D extent = info_.extent;
+  FloatImage color(extent.width, extent.height, 4);
+  FloatImage depth(extent.width, extent.height, 1);
+  motion_texels_ = FloatImage(extent.width, extent.height, 2);
+  const float* jitter_px = plan.library.jitter_px;
+  const auto frame = static_cast<float>(index);
+  for (uint32_t y = 0; y < extent.height; ++y) {
+    for (uint32_t x = 0; x < extent.width; ++x) {
+      const Rgb rgb = formula_.color(
+          static_cast<float>(x) + 0.5f - jitter_px[0] - frame * formula_.velocity_px[0],
+          static_cast<float>(y) + 0.5f - jitter_px[1] - frame * formula_.velocity_px[1]);
+      float* texel = color.at(x, y);
+      std::copy(rgb.begin(), rgb.end(), texel);
+      texel[3] = 1.0f;
+      *depth.at(x, y) = formula_.view_depth;
+      // prev_px = px + motion.
+      motion_texels_.at(x, y)[0] = -formula_.velocity_px[0];
+      motion_texels_.at(x, y)[1] = -formula_.velocity_px[1];
+    }
+  }
+  if (formula_.damage) formula_.damage(index, color, depth, motion_texels_);
+  upload(device_, color_, color);
+  upload(device_, depth_, depth);
+  upload(device_, motion_, motion_texels_);
+
+  FrameInputs inputs;
+  inputs.index = index;
+  inputs.extent = extent;
+  inputs.color = &color_;
+  inputs.depth = &depth_;
+  inputs.motion = &motion_;
+  inputs.jitter_px[0] = jitter_px[0];
+  inputs.jitter_px[1] = jitter_px[1];
+  inputs.reset = index == 0;
+  return inputs;
+}
+
+FrameInputs FormulaSource::frame(VkCommandBuffer, uint32_t index, const SamplePlan& plan) {
+  return prepare(index, plan);
+}
+
+std::optional<FloatImage> FormulaSource::reference(uint32_t index) {
+  const VkExtent2D extent = info_.extent;
+  FloatImage image(extent.width, extent.height, 3);
+  const auto frame = static_cast<float>(index);
+  for (uint32_t y = 0; y < extent.height; ++y) {
+    for (uint32_t x = 0; x < extent.width; ++x) {
+      for (uint32_t s = 0; s < kReferenceGrid * kReferenceGrid; ++s) {
+        const float u = (static_cast<float>(s % kReferenceGrid) + 0.5f) / kReferenceGrid;
+        const float v = (static_cast<float>(s / kReferenceGrid) + 0.5f) / kReferenceGrid;
+        const Rgb rgb = formula_.color(static_cast<float>(x) + u - frame * formula_.velocity_px[0],
+                                       static_cast<float>(y) + v - frame * formula_.velocity_px[1]);
+        for (size_t c = 0; c < 3; ++c) {
+          image.at(x, y)[c] += rgb[c] / (kReferenceGrid * kReferenceGrid);
+        }
+      }
+    }
+  }
+  return image;
+}
+
+FloatImage resolveFrames(Resolver& resolver, FormulaSource& source, uint32_t frames, uint32_t first,
+                         const std::function<void(FrameInputs&)>& change) {
+  Device& device = resolver.device();
+  for (uint32_t index = first; index < first + frames; ++index) {
+    FrameInputs inputs = source.prepare(index, resolver.plan(index));
+    if (change) change(inputs);
+    device.submitAndWait([&](VkCommandBuffer commands) { resolver.record(commands, inputs, nullptr); });
+  }
+  return download(device, resolver.output());
+}
+
+std::vector<std::string> everyTechnique() {
+  std::vector<std::string> names;
+  for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i) {
+    const RepriseTechniqueInfo& info = *repriseGetTechnique(i);
+    names.emplace_back(info.name);
+    for (uint32_t p = 0; p < info.preset_count; ++p) {
+      names.push_back(std::string(info.name) + ":preset=" + info.presets[p].name);
+    }
+  }
+  return names;
+}
+
+}  // namespace reprise::lab

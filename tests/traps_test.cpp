@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: MIT
+//
+// Mistakes that implementations of temporal antialiasing are known for, each as a test that fails when
+// one is made here.
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "formula_source.h"
+#include "lab/metrics/display_space.h"
+#include "lab/metrics/psnr.h"
+#include "lab/render/scene_source.h"
+#include "lab/run/sequence_run.h"
+#include "test_device.h"
+
+namespace reprise::lab {
+namespace {
+
+SceneSourceOptions small(uint32_t frames) {
+  SceneSourceOptions options;
+  options.extent = {120, 68};
+  options.frames = frames;
+  options.reference.samples = 32;
+  options.reference.cache = "none";
+  return options;
+}
+
+double lastPsnr(const char* scene, const char* technique, uint32_t frames) {
+  SceneSource source(testDevice(), parseSceneRun(scene), small(frames));
+  Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+  const SequenceRun run = runSequence(testDevice(), source, resolver, frames, true, {});
+  return psnrDb(meanSquaredError(displayImage(*source.reference(frames - 1)), displayImage(run.images.back())));
+}
+
+TEST(Traps, MotionHoldsNoJitter) {
+  SceneSource source(testDevice(), parseSceneRun("brick/still"), small(8));
+  Resolver resolver(testDevice(), parseTechnique("taa"), source.info());
+  for (uint32_t index = 0; index < 8; ++index) {
+    testDevice().submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, index, resolver.plan(index)); });
+    for (const float value : source.motion(index).texels) ASSERT_EQ(value, 0.0f) << index;
+  }
+}
+
+// The mean of what a cycle accumulates lies where the pixel is: no shift by the jitter's mean, no sign
+// turned around. A ramp is shifted by exactly its slope times the error.
+TEST(Traps, AConvergedImageIsNotShifted) {
+  Formula formula;
+  formula.color = [](float x, float y) {
+    return Rgb{std::max(0.0f, 0.1f * (x - 20.0f)), std::max(0.0f, 0.1f * (y - 12.0f)), 0.5f};
+  };
+  FormulaSource source(testDevice(), {48, 32}, formula);
+  for (const char* technique : {"reprojection", "taa", "taa:input_filter=none", "taa:jitter=r2",
+                                "taa:jitter=sobol", "taa:jitter=blue-noise", "taa:jitter=n-rooks",
+                                "taa:jitter=rotated-grid", "taa:jitter=msaa8", "taa:jitter=helix",
+                                "taa:input_filter=blackman-harris,input_width=1", "taa:average=4"}) {
+    SCOPED_TRACE(technique);
+    Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+    resolveFrames(resolver, source, 64);
+    // The mean of one more cycle's outputs.
+    double shift_x = 0.0;
+    double shift_y = 0.0;
+    constexpr uint32_t kCycle = 16;
+    for (uint32_t frame = 64; frame < 64 + kCycle; ++frame) {
+      const FloatImage image = resolveFrames(resolver, source, 1, frame);
+      shift_x += (image.at(24, 16)[0] - 0.1f * 4.5f) / 0.1 / kCycle;
+      shift_y += (image.at(24, 16)[1] - 0.1f * 4.5f) / 0.1 / kCycle;
+    }
+    EXPECT_LT(std::abs(shift_x), 0.02);
+    EXPECT_LT(std::abs(shift_y), 0.02);
+  }
+}
+
+// Half-precision history must not stop the running mean of a still view short of the truth.
+TEST(Traps, LongMeansDoNotStallInHalfPrecision) {
+  // One pixel in 16 frames is bright: the mean is 1/16 and each step is smaller than half a bit.
+  Formula formula;
+  formula.damage = [](uint32_t frame, FloatImage& color, FloatImage&, FloatImage&) {
+    for (size_t i = 0; i < color.texelCount(); ++i) {
+      const float v = frame % 16 == 15 ? 1.9f : 0.9f;
+      for (size_t c = 0; c < 3; ++c) color.texels[4 * i + c] = v;
+    }
+  };
+  FormulaSource source(testDevice(), {32, 32}, formula);
+  const auto meanAfter = [&](const char* technique) {
+    Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+    const FloatImage image = resolveFrames(resolver, source, 512);
+    double sum = 0.0;
+    for (size_t i = 0; i < image.texelCount(); ++i) sum += image.texels[4 * i];
+    return sum / static_cast<double>(image.texelCount());
+  };
+  const double expected = 0.9 + 1.0 / 16.0;
+  const std::string base = "taa:weighting=none,clip=none,input_filter=none,rejected_blur=false,spatial_frames=0";
+  EXPECT_NEAR(meanAfter((base + ",dither=true").c_str()), expected, 0.002);
+}
+
+TEST(Traps, BicubicHistoryNeverGoesBelowZero) {
+  Formula formula;
+  // A bright line on black: the negative lobes fall on black.
+  formula.color = [](float x, float) {
+    const float v = std::fmod(x + 1000.0f, 12.0f) < 1.0f ? 8.0f : 0.0f;
+    return Rgb{v, v, v};
+  };
+  formula.velocity_px[0] = 0.5f;
+  formula.velocity_px[1] = 0.5f;
+  FormulaSource source(testDevice(), {64, 32}, formula);
+  for (const char* filter : {"catmull-rom-5", "catmull-rom-9", "lanczos"}) {
+    Resolver resolver(testDevice(),
+                      parseTechnique(std::string("taa:clip=none,history_sharpness=1,history_filter=") + filter),
+                      source.info());
+    for (const float value : resolveFrames(resolver, source, 24).texels) {
+      ASSERT_GE(value, 0.0f) << filter;
+      ASSERT_LT(value, 16.0f) << filter;
+    }
+  }
+}
+
+// Panning by exactly one pixel a frame, where patterns that follow the frame's parity lock.
+TEST(Traps, AnIntegerPanConvergesLikeAStillView) {
+  const char* technique = "taa:clip=none,weighting=none,input_filter=none";
+  const double pan = lastPsnr("chart/pan:vx=1,vy=0", technique, 32);
+  const double fraction = lastPsnr("chart/pan:vx=0.5,vy=0.5", technique, 32);
+  const double none = lastPsnr("chart/pan:vx=1,vy=0", "none", 32);
+  EXPECT_GT(pan, fraction + 3.0);
+  EXPECT_GT(pan, none + 10.0);
+}
+
+TEST(Traps, MoreFramesOfAStillViewComeCloser) {
+  for (const char* scene : {"brick/still", "chart/still"}) {
+    const double few = lastPsnr(scene, "taa", 8);
+    const double some = lastPsnr(scene, "taa", 24);
+    const double many = lastPsnr(scene, "taa", 96);
+    EXPECT_GT(some, few) << scene;
+    EXPECT_GT(many, some) << scene;
+  }
+}
+
+// The current depth belongs to the pixel centre minus the jitter: a plane that recedes steeply must
+// pass its own depth test.
+TEST(Traps, TheDepthTestPassesOnASteepPlane) {
+  const auto kept = [](const char* technique) { return lastPsnr("brick/rotate", technique, 24); };
+  EXPECT_GT(kept("taa:depth_test=taps,rejected_blur=false"),
+            kept("taa:depth_test=none,rejected_blur=false") - 0.1);
+}
+
+TEST(Traps, BlendAndBoundShareTheirSpace) {
+  // A firefly of 1000 in one frame must be gone from a still view's neighbours soon, in every space.
+  for (const char* weighting : {"none", "luminance", "log"}) {
+    Formula formula;
+    formula.damage = [](uint32_t frame, FloatImage& color, FloatImage&, FloatImage&) {
+      if (frame == 10) color.at(8, 8)[0] = 1000.0f;
+    };
+    FormulaSource source(testDevice(), {16, 16}, formula);
+    Resolver resolver(testDevice(), parseTechnique(std::string("taa:weighting=") + weighting), source.info());
+    const FloatImage image = resolveFrames(resolver, source, 40);
+    EXPECT_NEAR(image.at(8, 8)[0], 0.5f, 0.02f) << weighting;
+  }
+}
+
+}  // namespace
+}  // namespace reprise::lab

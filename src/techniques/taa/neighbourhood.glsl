@@ -39,6 +39,7 @@ struct Bound {
 Bound extremes(vec3 s[9]) {
   vec3 cross_low = min(min(min(s[1], s[3]), min(s[5], s[7])), s[4]);
   vec3 cross_high = max(max(max(s[1], s[3]), max(s[5], s[7])), s[4]);
+  if (kClip == kClipCross) return Bound(cross_low, cross_high);
   vec3 low = min(cross_low, min(min(s[0], s[2]), min(s[6], s[8])));
   vec3 high = max(cross_high, max(max(s[0], s[2]), max(s[6], s[8])));
   // Karis 2014: the mean of both boxes rounds the square neighbourhood's corners.

@@ -20,5 +20,6 @@ layout(constant_id = 13) const uint kExtendOffscreen = 0u;
 layout(constant_id = 14) const uint kStill = 0u;
 layout(constant_id = 15) const uint kDither = 0u;
 layout(constant_id = 16) const uint kWriteOutput = 1u;  // 0: the sharpening pass writes it
+layout(constant_id = 17) const uint kCorners = 1u;      // 0: nothing reads the corners of the 3x3
 
 #endif

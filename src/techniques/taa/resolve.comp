@@ -94,7 +94,10 @@ void main() {
 
   vec3 samples[9];
   for (int i = 0; i < 9; ++i) {
-    samples[i] = toWorking(fetchColor(color_image, px + ivec2(i % 3 - 1, i / 3 - 1), last_px));
+    ivec2 offset = ivec2(i % 3 - 1, i / 3 - 1);
+    samples[i] = vec3(0.0);
+    if (kCorners == 0u && offset.x * offset.y != 0) continue;
+    samples[i] = toWorking(fetchColor(color_image, px + offset, last_px));
   }
   vec3 current = filteredSample(samples, k);
 

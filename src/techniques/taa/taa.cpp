@@ -142,7 +142,15 @@ class Taa final : public Technique {
             s.choice(kOffscreen),
             s.number(kStillFrames) > 0.0 ? 1u : 0u,
             s.choice(kDither),
-            sharpen_on_ ? 0u : 1u};
+            sharpen_on_ ? 0u : 1u,
+            needsCorners(s) ? 1u : 0u};
+  }
+
+  // Whether anything reads the four diagonal neighbours: without, five fetches of colour suffice.
+  static bool needsCorners(const Settings& s) {
+    const uint32_t clip = s.choice(kClip);
+    return (clip != kClipNone && clip != kClipCross) || s.choice(kInputFilter) != kInputNone ||
+           s.on(kRejectedBlur) || s.number(kSpatialFrames) > 0.0;
   }
 
   void declareResolve(Declaration& d) {

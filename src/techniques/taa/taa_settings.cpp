@@ -13,7 +13,8 @@ constexpr const char* kInputFilterNames[] = {"none",     "box",             "ten
 constexpr const char* kDilationNames[] = {"none", "closest", "cross", "longest", nullptr};
 constexpr const char* kHistoryFilterNames[] = {"bilinear", "catmull-rom-5", "catmull-rom-9",
                                                "lanczos", nullptr};
-constexpr const char* kClipNames[] = {"none", "minmax", "rounded", "variance", "kdop", nullptr};
+constexpr const char* kClipNames[] = {"none",     "minmax", "rounded",
+                                      "variance", "kdop",   "cross", nullptr};
 constexpr const char* kTowardNames[] = {"clamp", "centre", "sample", nullptr};
 constexpr const char* kSpaceNames[] = {"rgb", "ycocg", nullptr};
 constexpr const char* kWeightingNames[] = {"none", "luminance", "log", nullptr};
@@ -61,7 +62,8 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "Jimenez 2016"),
     choiceSetting(kClip, "clip", 3, kClipNames,
                   "bound of believable history, from the 3x3 neighbourhood: its extremes, the mean of "
-                  "its and the cross's extremes, mean and standard deviations, or slabs along 16 axes",
+                  "its and the cross's extremes, mean and standard deviations, slabs along 16 axes, or the "
+                  "extremes of the cross alone",
                   "Lottes 2011; Karis 2014; Salvi 2016; Ikkala et al. 2024"),
     choiceSetting(kClipToward, "clip_toward", 1, kTowardNames,
                   "how history comes into the bound: each channel by itself, or along the line to the "
@@ -142,10 +144,9 @@ const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
 namespace {
 
 constexpr RepriseSettingValue kFast[] = {
-    {"history_filter", 0.0, "catmull-rom-5"}, {"dilation", 0.0, "cross"},
-    {"clip", 0.0, "minmax"},                  {"clip_toward", 0.0, "clamp"},
-    {"depth_test", 0.0, "none"},              {"rejected_blur", 0.0, "false"},
-    {"spatial_frames", 0.0, nullptr},
+    {"clip", 0.0, "cross"},          {"clip_toward", 0.0, "clamp"}, {"clip_space", 0.0, "rgb"},
+    {"dilation", 0.0, "cross"},      {"depth_test", 0.0, "none"},   {"rejected_blur", 0.0, "false"},
+    {"spatial_frames", 0.0, nullptr}, {"dither", 0.0, "false"},
 };
 
 }  // namespace

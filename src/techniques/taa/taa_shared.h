@@ -37,6 +37,7 @@ TAA_CHOICE kClipMinMax = 1u;
 TAA_CHOICE kClipRounded = 2u;
 TAA_CHOICE kClipVariance = 3u;
 TAA_CHOICE kClipKdop = 4u;
+TAA_CHOICE kClipCross = 5u;
 
 TAA_CHOICE kTowardClamp = 0u;
 TAA_CHOICE kTowardCentre = 1u;

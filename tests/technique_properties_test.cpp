@@ -175,6 +175,7 @@ TEST(Bounds, ClampedTaaStaysWithinItsNeighbourhood) {
                             "jitter=none,input_filter=none,rejected_blur=false,spatial_frames=0"),
              source.info());
   constexpr uint32_t kFrames = 20;
+  constexpr float kSlack = 2.1f / 1024.0f;  // kBoundSlack of neighbourhood.glsl, and rounding
   const FloatImage image = resolveFrames(r, source, kFrames);
   const float moved = static_cast<float>(kFrames - 1) * formula.velocity_px[0];
   for (int y = 0; y < static_cast<int>(extent.height); ++y) {
@@ -192,8 +193,8 @@ TEST(Bounds, ClampedTaaStaysWithinItsNeighbourhood) {
       }
       for (size_t c = 0; c < 3; ++c) {
         const float value = image.at(static_cast<uint32_t>(x), static_cast<uint32_t>(y))[c];
-        ASSERT_GE(value, low[c] - 1e-4f) << x << ", " << y;
-        ASSERT_LE(value, high[c] + 1e-4f) << x << ", " << y;
+        ASSERT_GE(value, low[c] - kSlack) << x << ", " << y;
+        ASSERT_LE(value, high[c] + kSlack) << x << ", " << y;
       }
     }
   }

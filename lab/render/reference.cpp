@@ -15,8 +15,9 @@
 namespace reprise::lab {
 namespace {
 
-// Samples of one submission: enough to hide its cost, short enough to answer an interrupt.
-constexpr uint32_t kSamplesASubmission = 32;
+// Samples of one submission: enough to hide its cost, short enough to answer an interrupt. Sums are
+// made of whole submissions, so that an extended reference adds in the order of a fresh one.
+constexpr uint32_t kSamplesASubmission = 8;
 
 constexpr double kGaussianSigma_px = 0.4737;  // Yang et al. 2009, section 5.1
 
@@ -97,18 +98,19 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   }
   // A file with more samples than asked for has another sum than a fresh run would: equal requests
   // must give equal bytes, so it is not used but left for those who want it.
-  const bool use = state == ReferenceFileState::kWhole && sums.samples_a_half <= wanted;
+  const uint32_t held = sums.samples_a_half;
+  const bool use = state == ReferenceFileState::kWhole &&
+                   (held == wanted || (held < wanted && held % kSamplesASubmission == 0));
   if (!use) {
     sums = ReferenceSums{};
     for (FloatImage& half : sums.halves) half = FloatImage(extent.width, extent.height, 3);
   }
-  const bool keep_larger = state == ReferenceFileState::kWhole && !use;
+  const bool keep_larger = state == ReferenceFileState::kWhole && held > wanted;
 
   bool extended = false;
   for (uint32_t half = 0; half < 2; ++half) {
     uint32_t done = sums.samples_a_half;
     while (done < wanted) {
-      // Chunks end at multiples of their size, so that an extended sum adds in the same order.
       const uint32_t end = std::min(wanted, (done / kSamplesASubmission + 1) * kSamplesASubmission);
       std::vector<eq::vec2> jitters_px;
       for (uint32_t i = done; i < end; ++i) {

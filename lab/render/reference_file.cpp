@@ -51,7 +51,8 @@ ReferenceFileState readReferenceFile(const std::filesystem::path& path, uint32_t
   const Header expected;
   file.read(reinterpret_cast<char*>(&header), sizeof(header));
   if (!file || std::memcmp(header.magic, expected.magic, sizeof(header.magic)) != 0 ||
-      header.width != width || header.height != height || header.samples_a_half == 0) {
+      header.width != width || header.height != height || header.samples_a_half == 0 ||
+      header.padding != 0) {
     return ReferenceFileState::kDamaged;
   }
   sums.samples_a_half = header.samples_a_half;

@@ -50,7 +50,7 @@ TEST(Results, JsonHasTheDocumentedShape) {
   EXPECT_TRUE(run["frames"][0]["tpsnr"].is_null());  // no NaN in JSON
   EXPECT_EQ(run["cost"]["gpu_ms"]["passes"]["resolve"], 1.5);
   EXPECT_EQ(run["cost"]["history_bytes"], 1 << 20);
-  EXPECT_NO_THROW(nlohmann::json::parse(json.dump()));
+  EXPECT_TRUE(nlohmann::json::accept(json.dump()));
 }
 
 TEST(Results, CsvQuotesNamesAndLeavesUndefinedCellsEmpty) {

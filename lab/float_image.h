@@ -17,7 +17,9 @@ struct FloatImage {
 
   FloatImage() = default;
   FloatImage(uint32_t width_px, uint32_t height_px, uint32_t channel_count)
-      : width(width_px), height(height_px), channels(channel_count),
+      : width(width_px),
+        height(height_px),
+        channels(channel_count),
         texels(size_t{width_px} * height_px * channel_count) {}
 
   float* at(uint32_t x, uint32_t y) { return &texels[(size_t{y} * width + x) * channels]; }

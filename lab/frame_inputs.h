@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The hinge of the lab. Everything that makes a frame (scenes, the renderer, captures) ends here and
-// knows nothing of techniques; everything that turns frames into images begins here and knows nothing
-// of scenes. Conventions are those of reprise/reprise.h.
+// The hinge of the lab. Everything that makes a frame (scenes, the renderer, captures) ends here
+// and knows nothing of techniques; everything that turns frames into images begins here and knows
+// nothing of scenes. Conventions are those of reprise/reprise.h.
 #pragma once
 
 #include <cstdint>
@@ -41,14 +41,14 @@ struct SourceInfo {
   uint32_t frame_count = 0;
   double frame_rate = 60.0;  // frames a second
   RepriseDepthKind depth_kind = REPRISE_DEPTH_REVERSED_INFINITE;
-  uint32_t context_flags = 0;     // RepriseContextFlags
-  bool plan_is_honoured = false;  // live scenes: yes; captures were sampled when they were written
+  uint32_t context_flags = 0;      // RepriseContextFlags
+  bool plan_is_honoured = false;   // live scenes: yes; captures were sampled when they were written
   uint32_t reference_samples = 0;  // a pixel; 0: no references
   std::string reference_filter = "box";
 };
 
-// A sequence of frames, from a scene or from disk. Deterministic: frame(i, plan) gives the same bytes
-// whenever it is asked.
+// A sequence of frames, from a scene or from disk. Deterministic: frame(i, plan) gives the same
+// bytes whenever it is asked.
 class FrameSource {
  public:
   virtual ~FrameSource() = default;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Misuse of the C API, call by call: each gives its code, one line that says what is wrong, and leaves
-// the context as it was.
+// Misuse of the C API, call by call: each gives its code, one line that says what is wrong, and
+// leaves the context as it was.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -59,21 +59,46 @@ TEST(CreateContext, RefusesWhatCannotBe) {
   const auto invalid = REPRISE_ERROR_INVALID_ARGUMENT;
   const Case cases[] = {
       {"info.instance is null", invalid, [](auto& i) { i.instance = VK_NULL_HANDLE; }},
-      {"info.physical_device is null", invalid, [](auto& i) { i.physical_device = VK_NULL_HANDLE; }},
+      {"info.physical_device is null", invalid,
+       [](auto& i) { i.physical_device = VK_NULL_HANDLE; }},
       {"info.device is null", invalid, [](auto& i) { i.device = VK_NULL_HANDLE; }},
-      {"get_instance_proc_addr is null", invalid, [](auto& i) { i.get_instance_proc_addr = nullptr; }},
+      {"get_instance_proc_addr is null", invalid,
+       [](auto& i) { i.get_instance_proc_addr = nullptr; }},
       {"info.technique is null", invalid, [](auto& i) { i.technique = nullptr; }},
       {"there is no technique 'taaa'; near: 'taa'", invalid, [](auto& i) { i.technique = "taaa"; }},
       {"preset", invalid, [](auto& i) { i.preset = "fsat"; }},
       {"info.settings is null", invalid, [](auto& i) { i.setting_count = 1; }},
-      {"alhpa", invalid, [](auto& i) { i.settings = &unknown; i.setting_count = 1; }},
-      {"alpha", invalid, [](auto& i) { i.settings = &outside; i.setting_count = 1; }},
-      {"alpha", invalid, [](auto& i) { i.settings = &no_number; i.setting_count = 1; }},
-      {"clip", invalid, [](auto& i) { i.settings = &no_choice; i.setting_count = 1; }},
-      {"jitter_length", invalid, [](auto& i) { i.settings = &no_whole; i.setting_count = 1; }},
+      {"alhpa", invalid,
+       [](auto& i) {
+         i.settings = &unknown;
+         i.setting_count = 1;
+       }},
+      {"alpha", invalid,
+       [](auto& i) {
+         i.settings = &outside;
+         i.setting_count = 1;
+       }},
+      {"alpha", invalid,
+       [](auto& i) {
+         i.settings = &no_number;
+         i.setting_count = 1;
+       }},
+      {"clip", invalid,
+       [](auto& i) {
+         i.settings = &no_choice;
+         i.setting_count = 1;
+       }},
+      {"jitter_length", invalid,
+       [](auto& i) {
+         i.settings = &no_whole;
+         i.setting_count = 1;
+       }},
       {"0x16", invalid, [](auto& i) { i.max_input_extent.width = 0; }},
       {"must be in [1,", invalid, [](auto& i) { i.max_input_extent.height = 1u << 30; }},
-      {"cannot upsample", REPRISE_ERROR_UNSUPPORTED, [](auto& i) { i.max_output_extent = {64, 32}; }},
+      {"cannot upsample", REPRISE_ERROR_UNSUPPORTED,
+       [](auto& i) {
+         i.max_output_extent = {64, 32};
+       }},
       {"frames_in_flight", invalid, [](auto& i) { i.frames_in_flight = 0; }},
       {"frames_in_flight", invalid, [](auto& i) { i.frames_in_flight = 9; }},
       {"depth_kind", invalid, [](auto& i) { i.depth_kind = static_cast<RepriseDepthKind>(77); }},
@@ -109,7 +134,9 @@ TEST(CreateContext, RefusesWhatCannotBe) {
 // A prepared context and a frame that it takes.
 class Recording : public testing::Test {
  protected:
-  Recording() : source(testDevice(), kExtent, {}), output(testDevice(), {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = kExtent}) {
+  Recording()
+      : source(testDevice(), kExtent, {}),
+        output(testDevice(), {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = kExtent}) {
     const RepriseContextInfo info = goodInfo(said);
     EXPECT_EQ(repriseCreateContext(&info, &context), REPRISE_SUCCESS);
     inputs = source.prepare(0, {});
@@ -138,7 +165,8 @@ class Recording : public testing::Test {
   }
   RepriseResult record(const RepriseFrame& frame) {
     RepriseResult result = REPRISE_SUCCESS;
-    testDevice().submitAndWait([&](VkCommandBuffer commands) { result = repriseRecord(context, commands, &frame); });
+    testDevice().submitAndWait(
+        [&](VkCommandBuffer commands) { result = repriseRecord(context, commands, &frame); });
     return result;
   }
 
@@ -180,9 +208,19 @@ TEST_F(Recording, EachBadFieldIsNamed) {
       {"color.extent 31x16 is smaller", [](auto& f) { f.color.extent.width = 31; }},
       {"output.extent 32x15 is smaller", [](auto& f) { f.output.extent.height = 15; }},
       {"color.layout must be", [](auto& f) { f.color.layout = VK_IMAGE_LAYOUT_UNDEFINED; }},
-      {"input_extent 33x16", [](auto& f) { f.input_extent = {33, 16}; }},
-      {"input_extent 0x16", [](auto& f) { f.input_extent = {0, 16}; }},
-      {"cannot upsample", [](auto& f) { f.input_extent = {16, 8}; f.output_extent = {32, 16}; }},
+      {"input_extent 33x16",
+       [](auto& f) {
+         f.input_extent = {33, 16};
+       }},
+      {"input_extent 0x16",
+       [](auto& f) {
+         f.input_extent = {0, 16};
+       }},
+      {"cannot upsample",
+       [](auto& f) {
+         f.input_extent = {16, 8};
+         f.output_extent = {32, 16};
+       }},
       {"jitter_px", [](auto& f) { f.jitter_px[1] = 1.01f; }},
       {"jitter_px", [nan](auto& f) { f.jitter_px[0] = nan; }},
       {"motion_scale", [](auto& f) { f.motion_scale[0] = 0.0f; }},
@@ -306,7 +344,8 @@ TEST(Plan, IsAPureFunctionOfTheFrameAndRepeatsAfterItsPeriod) {
       EXPECT_LE(std::abs(plan.jitter_px[1]), 1.0f);
       EXPECT_GE(plan.coarse_size, 1u);
       if (plan.period > 0) {
-        EXPECT_EQ(resolver.plan(frame + plan.period).library.jitter_px[0], plan.jitter_px[0]) << name;
+        EXPECT_EQ(resolver.plan(frame + plan.period).library.jitter_px[0], plan.jitter_px[0])
+            << name;
       }
     }
   }
@@ -318,12 +357,14 @@ TEST(Requirements, AreMetByTheTestDeviceAndCheckedInWords) {
   EXPECT_EQ(repriseGetRequirements("taa", VK_NULL_HANDLE, VK_NULL_HANDLE, nullptr, &requirements),
             REPRISE_ERROR_INVALID_ARGUMENT);  // size 0
   requirements.size = sizeof(requirements);
-  EXPECT_EQ(repriseGetRequirements("taa", VK_NULL_HANDLE, VK_NULL_HANDLE, nullptr, &requirements), REPRISE_SUCCESS);
+  EXPECT_EQ(repriseGetRequirements("taa", VK_NULL_HANDLE, VK_NULL_HANDLE, nullptr, &requirements),
+            REPRISE_SUCCESS);
   EXPECT_GE(requirements.vulkan_version, VK_API_VERSION_1_2);
   EXPECT_EQ(repriseGetRequirements("taa", device.instance(), device.physicalDevice(),
                                    device.getInstanceProcAddr(), &requirements),
             REPRISE_SUCCESS);
-  EXPECT_EQ(repriseGetRequirements("taa", VK_NULL_HANDLE, device.physicalDevice(), nullptr, &requirements),
+  EXPECT_EQ(repriseGetRequirements("taa", VK_NULL_HANDLE, device.physicalDevice(), nullptr,
+                                   &requirements),
             REPRISE_ERROR_INVALID_ARGUMENT);
   EXPECT_EQ(repriseGetRequirements("tea", VK_NULL_HANDLE, VK_NULL_HANDLE, nullptr, &requirements),
             REPRISE_ERROR_INVALID_ARGUMENT);

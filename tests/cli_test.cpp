@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The command line as its users meet it: each verb once on a small job, exit codes, errors in one line,
-// resumption, the report in a browser.
+// The command line as its users meet it: each verb once on a small job, exit codes, errors in one
+// line, resumption, the report in a browser.
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -27,10 +27,12 @@ class Cli : public testing::Test {
  protected:
   Ran shell(const std::string& command) const {
     const std::string error_path = path("stderr");
-    std::FILE* pipe = popen(("cd " + directory.path().string() + " && " + command + " 2>" + error_path).c_str(), "r");
+    std::FILE* pipe = popen(
+        ("cd " + directory.path().string() + " && " + command + " 2>" + error_path).c_str(), "r");
     Ran ran;
     char buffer[4096];
-    for (size_t n; (n = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;) ran.out.append(buffer, n);
+    for (size_t n; (n = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;)
+      ran.out.append(buffer, n);
     const int status = pclose(pipe);
     ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
     ran.error = readWholeFile(error_path);
@@ -43,7 +45,9 @@ class Cli : public testing::Test {
   bool exists(const char* name) const { return std::filesystem::exists(directory.path() / name); }
 
   void renderSmall(const char* extra = "") const {
-    const Ran ran = reprise(std::string("render chart/pan --size 64x36 --frames 10 --samples 4 --reference -o cap ") + extra);
+    const Ran ran = reprise(
+        std::string("render chart/pan --size 64x36 --frames 10 --samples 4 --reference -o cap ") +
+        extra);
     ASSERT_EQ(ran.code, 0) << ran.error;
   }
 
@@ -53,7 +57,8 @@ class Cli : public testing::Test {
 TEST_F(Cli, ListShowsEverythingAndItsJsonIsOneDocument) {
   const Ran text = reprise("list");
   EXPECT_EQ(text.code, 0) << text.error;
-  for (const char* word : {"taa", "reprojection", "none", "ss", "brick/pan", "chart/still", "Devices"}) {
+  for (const char* word :
+       {"taa", "reprojection", "none", "ss", "brick/pan", "chart/still", "Devices"}) {
     EXPECT_NE(text.out.find(word), std::string::npos) << word;
   }
   const Ran json = reprise("list --json");
@@ -107,11 +112,14 @@ TEST_F(Cli, BadCapturesAreThreeInOneLine) {
     EXPECT_EQ(ran.code, 3) << arguments << "\n" << ran.error;
     EXPECT_NE(ran.error.find(message), std::string::npos) << arguments << "\n" << ran.error;
     size_t errors = 0;
-    for (size_t at = ran.error.find("error:"); at != std::string::npos; at = ran.error.find("error:", at + 1)) ++errors;
+    for (size_t at = ran.error.find("error:"); at != std::string::npos;
+         at = ran.error.find("error:", at + 1))
+      ++errors;
     EXPECT_EQ(errors, 1u) << ran.error;
   };
   expectInput("filter nowhere -o out", "nowhere: there is no such directory");
-  std::ofstream(path("cap/capture.json")) << std::string(json).replace(json.find("frame_rate"), 10, "frame_rat");
+  std::ofstream(path("cap/capture.json"))
+      << std::string(json).replace(json.find("frame_rate"), 10, "frame_rat");
   expectInput("filter cap -o out", "cap/capture.json: frame_rat: unknown key; near: 'frame_rate'");
   std::ofstream(path("cap/capture.json")) << json;
   const auto fifth = directory.path() / "cap/frame_0005.exr";
@@ -179,26 +187,30 @@ TEST_F(Cli, InterruptedIs130AndLeavesWholeFiles) {
   const Ran ran = shell("REPRISE_CACHE=none timeout -s INT 3 " REPRISE_COMMAND
                         " render brick/pan --size 960x540 --frames 2000 -o cap");
   // timeout reports 124 whatever its child returned; the child's own line says it.
-  EXPECT_NE(ran.error.find("interrupted; what is written is whole"), std::string::npos) << ran.error;
+  EXPECT_NE(ran.error.find("interrupted; what is written is whole"), std::string::npos)
+      << ran.error;
   EXPECT_FALSE(exists("cap/capture.json"));
   for (const auto& entry : std::filesystem::directory_iterator(directory.path() / "cap")) {
     EXPECT_EQ(entry.path().extension(), ".exr");
     EXPECT_NO_THROW(readExr(entry.path()));
   }
   const Ran code = shell("(REPRISE_CACHE=none " REPRISE_COMMAND
-                         " render brick/pan --size 960x540 --frames 2000 -o cap & p=$!; sleep 2; kill -INT $p; wait $p)");
+                         " render brick/pan --size 960x540 --frames 2000 -o cap & p=$!; sleep 2; "
+                         "kill -INT $p; wait $p)");
   EXPECT_EQ(code.code, 130) << code.error;
 }
 
 TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
-  const std::string compare = "compare chart/pan chart/still -t none,reprojection,taa:alpha=0.1,clip=none,ss:n=2 "
-                              "--size 64x36 --frames 12 --samples 16 -o cmp";
+  const std::string compare =
+      "compare chart/pan chart/still -t none,reprojection,taa:alpha=0.1,clip=none,ss:n=2 "
+      "--size 64x36 --frames 12 --samples 16 -o cmp";
   const Ran ran = reprise(compare);
   ASSERT_EQ(ran.code, 0) << ran.error;
   EXPECT_NE(ran.out.find("PSNR"), std::string::npos);
-  for (const char* name : {"cmp/results.json", "cmp/results.csv", "cmp/report.html",
-                           "cmp/frames/chart-pan/none/0011.png", "cmp/frames/chart-pan/reference/0000.png",
-                           "cmp/errors/chart-still/ss-n=2/0003.png"}) {
+  for (const char* name :
+       {"cmp/results.json", "cmp/results.csv", "cmp/report.html",
+        "cmp/frames/chart-pan/none/0011.png", "cmp/frames/chart-pan/reference/0000.png",
+        "cmp/errors/chart-still/ss-n=2/0003.png"}) {
     EXPECT_TRUE(exists(name)) << name;
   }
   const auto results = nlohmann::json::parse(readWholeFile(path("cmp/results.json")));
@@ -232,23 +244,30 @@ TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
 }
 
 TEST_F(Cli, TheReportWorksInABrowser) {
-  ASSERT_EQ(reprise("compare chart/pan -t none,taa --size 64x36 --frames 10 --samples 16 -o cmp").code, 0);
-  if (std::system("chromium --version >/dev/null 2>&1") != 0) GTEST_SKIP() << "chromium is not installed";
+  ASSERT_EQ(
+      reprise("compare chart/pan -t none,taa --size 64x36 --frames 10 --samples 16 -o cmp").code,
+      0);
+  if (std::system("chromium --version >/dev/null 2>&1") != 0)
+    GTEST_SKIP() << "chromium is not installed";
   const std::string page = readWholeFile(path("cmp/report.html"));
   // Self-contained: nothing is fetched.
   for (const char* mark : {" src=\"http", "href=\"http", "@import", "url(http"}) {
     EXPECT_EQ(page.find(mark), std::string::npos) << mark;
   }
-  writeOutputFile(path("probe.html"), page + "<script>" + readWholeFile(REPRISE_CHROMIUM_SCRIPT) + "</script>");
-  const Ran ran = shell("timeout 120 chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
-                        "--disable-background-networking --no-first-run --user-data-dir=profile "
-                        "--window-size=1200,1000 --virtual-time-budget=20000 --dump-dom file://" + path("probe.html"));
+  writeOutputFile(path("probe.html"),
+                  page + "<script>" + readWholeFile(REPRISE_CHROMIUM_SCRIPT) + "</script>");
+  const Ran ran = shell(
+      "timeout 120 chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
+      "--disable-background-networking --no-first-run --user-data-dir=profile "
+      "--window-size=1200,1000 --virtual-time-budget=20000 --dump-dom file://" +
+      path("probe.html"));
   const size_t begin = ran.out.rfind("PROBE ");
   ASSERT_NE(begin, std::string::npos) << ran.error.substr(0, 2000);
   const std::string found = ran.out.substr(begin, ran.out.find(" END", begin) - begin);
-  for (const char* expected : {"rows=2", "series=2", "metric=FLIP", "drawn0=none|reference|slider|0|4", "flips=true",
-                               "drawn1=none|reference|difference|0|4", "drawn2=flip of none|reference|side|9|4",
-                               "size=true", "flip of taa"}) {
+  for (const char* expected :
+       {"rows=2", "series=2", "metric=FLIP", "drawn0=none|reference|slider|0|4", "flips=true",
+        "drawn1=none|reference|difference|0|4", "drawn2=flip of none|reference|side|9|4",
+        "size=true", "flip of taa"}) {
     EXPECT_NE(found.find(expected), std::string::npos) << expected << "\n" << found;
   }
   EXPECT_EQ(found.find("error="), std::string::npos) << found;
@@ -266,8 +285,9 @@ TEST_F(Cli, BenchTimesEachPass) {
 }
 
 TEST_F(Cli, ValidationStaysSilent) {
-  const Ran ran = reprise("--validation compare brick/pan -t none,reprojection,taa,taa:average=3,sharpen=0.5,ss:n=2 "
-                          "--size 65x37 --frames 10 --samples 4 -o cmp");
+  const Ran ran = reprise(
+      "--validation compare brick/pan -t none,reprojection,taa,taa:average=3,sharpen=0.5,ss:n=2 "
+      "--size 65x37 --frames 10 --samples 4 -o cmp");
   if (ran.error.find("validation layer") != std::string::npos && ran.code == 4) {
     GTEST_SKIP() << ran.error;
   }

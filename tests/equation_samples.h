@@ -11,20 +11,30 @@
 #include "equations/hash.h"
 #include "equations/jitter.h"
 #include "equations/reprojection.h"
-#include "equations/sharpen.h"
 #include "equations/shading_offset.h"
+#include "equations/sharpen.h"
 
 EQ_BEGIN
 
 EQ_CONST uint kEquationCount = 60u;
 
-EQ_FN vec4 wide2(vec2 v) { return vec4(v.x, v.y, 0.0f, 0.0f); }
-EQ_FN vec4 wide3(vec3 v) { return vec4(v.x, v.y, v.z, 0.0f); }
-EQ_FN vec4 wide1(float v) { return vec4(v, 0.0f, 0.0f, 0.0f); }
+EQ_FN vec4 wide2(vec2 v) {
+  return vec4(v.x, v.y, 0.0f, 0.0f);
+}
+EQ_FN vec4 wide3(vec3 v) {
+  return vec4(v.x, v.y, v.z, 0.0f);
+}
+EQ_FN vec4 wide1(float v) {
+  return vec4(v, 0.0f, 0.0f, 0.0f);
+}
 // 24 bits in each of two numbers: exact as floats.
-EQ_FN vec4 wideBits(uint v) { return vec4(float(v & 0xffffu), float(v >> 16u), 0.0f, 0.0f); }
+EQ_FN vec4 wideBits(uint v) {
+  return vec4(float(v & 0xffffu), float(v >> 16u), 0.0f, 0.0f);
+}
 
-EQ_FN float drawn(uint seed, uint k) { return unitFloat(hashPixel(seed, k, 977u)); }
+EQ_FN float drawn(uint seed, uint k) {
+  return unitFloat(hashPixel(seed, k, 977u));
+}
 EQ_FN vec3 drawn3(uint seed, uint k) {
   return vec3(drawn(seed, k), drawn(seed, k + 1u), drawn(seed, k + 2u));
 }
@@ -113,10 +123,13 @@ EQ_FN vec4 reprojectionSample(uint which, uint s) {
   if (which == 3u) return wide2(pxFromUv(uvFromNdc(px), extent_px));
   if (which == 4u) return wide2(ndcFromJitter(px, extent_px));
   if (which == 5u) {
-    return validTapWeights(drawn(s, 3u), drawn(s, 4u), vec4(1.0f, float(s & 1u), float((s >> 1u) & 1u), 1.0f));
+    return validTapWeights(drawn(s, 3u), drawn(s, 4u),
+                           vec4(1.0f, float(s & 1u), float((s >> 1u) & 1u), 1.0f));
   }
   if (which == 6u) return wide1(motionDifferenceRamp(px, px + vec2(3.0f * drawn(s, 3u)), 0.5f));
-  if (which == 7u) return wide3(sharpened(drawn3(s, 1u), drawn3(s, 4u), drawn3(s, 7u), drawn3(s, 10u), drawn3(s, 13u), drawn(s, 16u)));
+  if (which == 7u)
+    return wide3(sharpened(drawn3(s, 1u), drawn3(s, 4u), drawn3(s, 7u), drawn3(s, 10u),
+                           drawn3(s, 13u), drawn(s, 16u)));
   return wide1(sharpenLobe(0.1f + 0.3f * drawn(s, 1u), 0.5f + 0.4f * drawn(s, 2u)));
 }
 

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Every choice and both ends of every range of every setting: prepares, runs under validation, and
-// keeps a constant image constant. Whether a setting does what it says is for its technique's own tests.
+// keeps a constant image constant. Whether a setting does what it says is for its technique's own
+// tests.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -53,7 +54,8 @@ TEST_P(EverySetting, RunsAtEveryChoiceAndBothEnds) {
 
 std::vector<std::string> libraryTechniques() {
   std::vector<std::string> names;
-  for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i) names.emplace_back(repriseGetTechnique(i)->name);
+  for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i)
+    names.emplace_back(repriseGetTechnique(i)->name);
   return names;
 }
 

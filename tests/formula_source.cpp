@@ -90,7 +90,8 @@ FloatImage resolveFrames(Resolver& resolver, FormulaSource& source, uint32_t fra
   for (uint32_t index = first; index < first + frames; ++index) {
     FrameInputs inputs = source.prepare(index, resolver.plan(index));
     if (change) change(inputs);
-    device.submitAndWait([&](VkCommandBuffer commands) { resolver.record(commands, inputs, nullptr); });
+    device.submitAndWait(
+        [&](VkCommandBuffer commands) { resolver.record(commands, inputs, nullptr); });
   }
   return download(device, resolver.output());
 }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Frames that are formulas: what a pixel holds is the formula at its jittered sample position, minus
-// the path that content has moved since frame 0.
+// Frames that are formulas: what a pixel holds is the formula at its jittered sample position,
+// minus the path that content has moved since frame 0.
 #pragma once
 
 #include <array>
@@ -18,12 +18,15 @@ namespace reprise::lab {
 using Rgb = std::array<float, 3>;
 
 struct Formula {
-  std::function<Rgb(float x_px, float y_px)> color = [](float, float) { return Rgb{0.5f, 0.5f, 0.5f}; };
+  std::function<Rgb(float x_px, float y_px)> color = [](float, float) {
+    return Rgb{0.5f, 0.5f, 0.5f};
+  };
   // px a frame by which content moves.
   float velocity_px[2] = {0.0f, 0.0f};
   float view_depth = 10.0f;
   // Changes the texels (RGBA, depth, motion) of a frame after the formula has filled them.
-  std::function<void(uint32_t frame, FloatImage& color, FloatImage& depth, FloatImage& motion)> damage;
+  std::function<void(uint32_t frame, FloatImage& color, FloatImage& depth, FloatImage& motion)>
+      damage;
 };
 
 class FormulaSource final : public FrameSource {
@@ -48,8 +51,8 @@ class FormulaSource final : public FrameSource {
 };
 
 // Resolves `frames` frames, from frame 0 on or from `first`, and gives the last output, RGBA.
-FloatImage resolveFrames(Resolver& resolver, FormulaSource& source, uint32_t frames, uint32_t first = 0,
-                         const std::function<void(FrameInputs&)>& change = {});
+FloatImage resolveFrames(Resolver& resolver, FormulaSource& source, uint32_t frames,
+                         uint32_t first = 0, const std::function<void(FrameInputs&)>& change = {});
 
 // Every technique of the library by its defaults, then each preset, as the command line names them.
 std::vector<std::string> everyTechnique();

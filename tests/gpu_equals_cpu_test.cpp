@@ -15,8 +15,8 @@ constexpr uint32_t kShader[] = {
 };
 constexpr uint32_t kSeeds = 512;
 
-// Vulkan bounds exp, log, pow and trigonometry to a few parts in 10^5 of their result or, for the last,
-// 2^-11 absolute; drivers stay well inside.
+// Vulkan bounds exp, log, pow and trigonometry to a few parts in 10^5 of their result or, for the
+// last, 2^-11 absolute; drivers stay well inside.
 constexpr float kRelative = 2.0e-4f;
 constexpr float kAbsolute = 2.0e-5f;
 
@@ -26,8 +26,8 @@ TEST(Equations, GpuEqualsCpu) {
                                         .spirv = kShader,
                                         .bindings = {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE},
                                         .specialization = {}});
-  const Image results(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT,
-                               .extent = {kSeeds, eq::kEquationCount}});
+  const Image results(
+      device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = {kSeeds, eq::kEquationCount}});
   device.submitAndWait([&](VkCommandBuffer commands) {
     program.dispatch(commands, results.extent(), {stored(results)});
   });

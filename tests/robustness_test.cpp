@@ -105,8 +105,8 @@ TEST_P(Robust, TheSubrectangleMayChangeEachFrame) {
   const VkExtent2D extents[] = {{64, 36}, {48, 27}, {1, 1}, {63, 35}, {64, 1}, {64, 36}};
   uint32_t frame = 0;
   for (const VkExtent2D extent : extents) {
-    const FloatImage image = resolveFrames(r, source, 1, frame++,
-                                           [&](FrameInputs& inputs) { inputs.extent = extent; });
+    const FloatImage image =
+        resolveFrames(r, source, 1, frame++, [&](FrameInputs& inputs) { inputs.extent = extent; });
     for (uint32_t y = 0; y < extent.height; ++y) {
       for (uint32_t x = 0; x < extent.width; ++x) {
         for (size_t c = 0; c < 3; ++c) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Mistakes that implementations of temporal antialiasing are known for, each as a test that fails when
-// one is made here.
+// Mistakes that implementations of temporal antialiasing are known for, each as a test that fails
+// when one is made here.
 #include <gtest/gtest.h>
 
 #include <cmath>
@@ -29,30 +29,33 @@ double lastPsnr(const char* scene, const char* technique, uint32_t frames) {
   SceneSource source(testDevice(), parseSceneRun(scene), small(frames));
   Resolver resolver(testDevice(), parseTechnique(technique), source.info());
   const SequenceRun run = runSequence(testDevice(), source, resolver, frames, true, {});
-  return psnrDb(meanSquaredError(displayImage(*source.reference(frames - 1)), displayImage(run.images.back())));
+  return psnrDb(meanSquaredError(displayImage(*source.reference(frames - 1)),
+                                 displayImage(run.images.back())));
 }
 
 TEST(Traps, MotionHoldsNoJitter) {
   SceneSource source(testDevice(), parseSceneRun("brick/still"), small(8));
   Resolver resolver(testDevice(), parseTechnique("taa"), source.info());
   for (uint32_t index = 0; index < 8; ++index) {
-    testDevice().submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, index, resolver.plan(index)); });
+    testDevice().submitAndWait(
+        [&](VkCommandBuffer commands) { source.frame(commands, index, resolver.plan(index)); });
     for (const float value : source.motion(index).texels) ASSERT_EQ(value, 0.0f) << index;
   }
 }
 
-// The mean of what a cycle accumulates lies where the pixel is: no shift by the jitter's mean, no sign
-// turned around. A ramp is shifted by exactly its slope times the error.
+// The mean of what a cycle accumulates lies where the pixel is: no shift by the jitter's mean, no
+// sign turned around. A ramp is shifted by exactly its slope times the error.
 TEST(Traps, AConvergedImageIsNotShifted) {
   Formula formula;
   formula.color = [](float x, float y) {
     return Rgb{std::max(0.0f, 0.1f * (x - 20.0f)), std::max(0.0f, 0.1f * (y - 12.0f)), 0.5f};
   };
   FormulaSource source(testDevice(), {48, 32}, formula);
-  for (const char* technique : {"reprojection", "taa", "taa:input_filter=none", "taa:jitter=r2",
-                                "taa:jitter=sobol", "taa:jitter=blue-noise", "taa:jitter=n-rooks",
-                                "taa:jitter=rotated-grid", "taa:jitter=msaa8", "taa:jitter=helix",
-                                "taa:input_filter=blackman-harris,input_width=1", "taa:average=4"}) {
+  for (const char* technique :
+       {"reprojection", "taa", "taa:input_filter=none", "taa:jitter=r2", "taa:jitter=sobol",
+        "taa:jitter=blue-noise", "taa:jitter=n-rooks", "taa:jitter=rotated-grid",
+        "taa:jitter=msaa8", "taa:jitter=helix", "taa:input_filter=blackman-harris,input_width=1",
+        "taa:average=4"}) {
     SCOPED_TRACE(technique);
     Resolver resolver(testDevice(), parseTechnique(technique), source.info());
     resolveFrames(resolver, source, 64);
@@ -89,7 +92,8 @@ TEST(Traps, LongMeansDoNotStallInHalfPrecision) {
     return sum / static_cast<double>(image.texelCount());
   };
   const double expected = 0.9 + 1.0 / 16.0;
-  const std::string base = "taa:weighting=none,clip=none,input_filter=none,rejected_blur=false,spatial_frames=0";
+  const std::string base =
+      "taa:weighting=none,clip=none,input_filter=none,rejected_blur=false,spatial_frames=0";
   EXPECT_NEAR(meanAfter((base + ",dither=true").c_str()), expected, 0.002);
 }
 
@@ -104,9 +108,10 @@ TEST(Traps, BicubicHistoryNeverGoesBelowZero) {
   formula.velocity_px[1] = 0.5f;
   FormulaSource source(testDevice(), {64, 32}, formula);
   for (const char* filter : {"catmull-rom-5", "catmull-rom-9", "lanczos"}) {
-    Resolver resolver(testDevice(),
-                      parseTechnique(std::string("taa:clip=none,history_sharpness=1,history_filter=") + filter),
-                      source.info());
+    Resolver resolver(
+        testDevice(),
+        parseTechnique(std::string("taa:clip=none,history_sharpness=1,history_filter=") + filter),
+        source.info());
     for (const float value : resolveFrames(resolver, source, 24).texels) {
       ASSERT_GE(value, 0.0f) << filter;
       ASSERT_LT(value, 16.0f) << filter;
@@ -114,8 +119,8 @@ TEST(Traps, BicubicHistoryNeverGoesBelowZero) {
   }
 }
 
-// Panning by exactly one pixel a frame: patterns that follow the frame's parity lock, and history that
-// is read at texel centres must come back unblurred.
+// Panning by exactly one pixel a frame: patterns that follow the frame's parity lock, and history
+// that is read at texel centres must come back unblurred.
 TEST(Traps, AnIntegerPanConvergesLikeAStillView) {
   const auto error = [](const char* technique, float velocity_px) {
     Formula formula;
@@ -166,14 +171,16 @@ TEST(Traps, TheDepthTestPassesOnASteepPlane) {
 }
 
 TEST(Traps, BlendAndBoundShareTheirSpace) {
-  // A firefly of 1000 in one frame must be gone from a still view's neighbours soon, in every space.
+  // A firefly of 1000 in one frame must be gone from a still view's neighbours soon, in every
+  // space.
   for (const char* weighting : {"none", "luminance", "log"}) {
     Formula formula;
     formula.damage = [](uint32_t frame, FloatImage& color, FloatImage&, FloatImage&) {
       if (frame == 10) color.at(8, 8)[0] = 1000.0f;
     };
     FormulaSource source(testDevice(), {16, 16}, formula);
-    Resolver resolver(testDevice(), parseTechnique(std::string("taa:weighting=") + weighting), source.info());
+    Resolver resolver(testDevice(), parseTechnique(std::string("taa:weighting=") + weighting),
+                      source.info());
     const FloatImage image = resolveFrames(resolver, source, 40);
     EXPECT_NEAR(image.at(8, 8)[0], 0.5f, 0.02f) << weighting;
   }

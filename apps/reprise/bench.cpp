@@ -32,7 +32,8 @@ constexpr uint32_t kWarmUp = 4;
 // texel written once. Filters that read a texel twice from memory move more.
 uint64_t leastBytes(const lab::Resolver& resolver, const lab::FrameInputs& inputs) {
   uint64_t bytes = resolver.output().bytes();
-  for (const lab::Image* image : {inputs.color, inputs.depth, inputs.motion, inputs.reactive, inputs.id}) {
+  for (const lab::Image* image :
+       {inputs.color, inputs.depth, inputs.motion, inputs.reactive, inputs.id}) {
     if (image != nullptr) bytes += image->bytes();
   }
   for (const RepriseMemoryItem& item : resolver.memory()) {
@@ -49,7 +50,9 @@ struct Spread {
 Spread spreadOf(std::vector<double> ms) {
   std::sort(ms.begin(), ms.end());
   const auto at = [&](double fraction) {
-    return ms.empty() ? 0.0 : ms[static_cast<size_t>(fraction * static_cast<double>(ms.size() - 1) + 0.5)];
+    return ms.empty()
+               ? 0.0
+               : ms[static_cast<size_t>(fraction * static_cast<double>(ms.size() - 1) + 0.5)];
   };
   return {at(0.5), at(0.1), at(0.9)};
 }
@@ -65,14 +68,17 @@ nlohmann::ordered_json benchOne(lab::Device& device, const lab::TechniqueChoice&
       [&](const lab::FrameDone& done) { least_bytes = leastBytes(resolver, done.inputs); });
   const VkExtent2D extent = source.info().extent;
   const double pixels = static_cast<double>(extent.width) * extent.height;
-  nlohmann::ordered_json json{{"technique", choice.label}, {"extent", {extent.width, extent.height}}};
+  nlohmann::ordered_json json{{"technique", choice.label},
+                              {"extent", {extent.width, extent.height}}};
   json["passes"] = nlohmann::ordered_json::array();
   const auto row = [&](const std::string& name, const std::vector<double>& ms) {
     const Spread spread = spreadOf(ms);
-    json["passes"].push_back({{"pass", name}, {"median_ms", spread.median}, {"low_ms", spread.low},
+    json["passes"].push_back({{"pass", name},
+                              {"median_ms", spread.median},
+                              {"low_ms", spread.low},
                               {"high_ms", spread.high}});
-    text += fmt::format("  {:<12}{:>10.3f} ms  [{:.3f}, {:.3f}]  {:>7.4f} us/px", name, spread.median,
-                        spread.low, spread.high, 1000.0 * spread.median / pixels);
+    text += fmt::format("  {:<12}{:>10.3f} ms  [{:.3f}, {:.3f}]  {:>7.4f} us/px", name,
+                        spread.median, spread.low, spread.high, 1000.0 * spread.median / pixels);
     return spread;
   };
   for (const auto& [name, all] : run.resolve_times.all()) {
@@ -82,9 +88,9 @@ nlohmann::ordered_json benchOne(lab::Device& device, const lab::TechniqueChoice&
     for (size_t i = 0; i < ms.size(); ++i) sums[i] += ms[i];
   }
   const Spread whole = row("all", sums);
-  const double fraction = whole.median > 0.0
-                              ? static_cast<double>(least_bytes) / (0.001 * whole.median) / copy_bytes_a_second
-                              : 0.0;
+  const double fraction = whole.median > 0.0 ? static_cast<double>(least_bytes) /
+                                                   (0.001 * whole.median) / copy_bytes_a_second
+                                             : 0.0;
   json["median_ms"] = whole.median;
   json["bytes_moved_at_least"] = least_bytes;
   json["fraction_of_copy_bandwidth"] = fraction;
@@ -98,19 +104,22 @@ nlohmann::ordered_json benchOne(lab::Device& device, const lab::TechniqueChoice&
 int bench(const Globals& globals, const BenchFlags& flags) {
   std::vector<std::string> names = flags.techniques;
   if (names.empty()) {
-    for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i) names.emplace_back(repriseGetTechnique(i)->name);
+    for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i)
+      names.emplace_back(repriseGetTechnique(i)->name);
   }
   const std::vector<lab::TechniqueChoice> choices = lab::parseTechniques(names);
   const auto device = openDevice(globals);
   const double bandwidth = lab::measureCopyBandwidth(*device);
-  nlohmann::ordered_json document{{"version", 1},
-                                  {"command", globals.command},
-                                  {"reprise", repriseGetVersion()},
-                                  {"device", {{"name", device->name()}, {"driver", device->driver()}}},
-                                  {"copy_bytes_per_second", bandwidth},
-                                  {"runs", nlohmann::ordered_json::array()},
-                                  {"skipped", nlohmann::ordered_json::array()}};
-  globals.print(fmt::format("{}: copies {:.1f} GB/s (read + written)\n", device->name(), bandwidth * 1e-9));
+  nlohmann::ordered_json document{
+      {"version", 1},
+      {"command", globals.command},
+      {"reprise", repriseGetVersion()},
+      {"device", {{"name", device->name()}, {"driver", device->driver()}}},
+      {"copy_bytes_per_second", bandwidth},
+      {"runs", nlohmann::ordered_json::array()},
+      {"skipped", nlohmann::ordered_json::array()}};
+  globals.print(
+      fmt::format("{}: copies {:.1f} GB/s (read + written)\n", device->name(), bandwidth * 1e-9));
   lab::Progress progress("bench", flags.sizes.size() * choices.size(), globals.quiet);
   for (const std::string& size : flags.sizes) {
     SceneFlags scene_flags;
@@ -123,9 +132,12 @@ int bench(const Globals& globals, const BenchFlags& flags) {
       try {
         document["runs"].push_back(benchOne(*device, choice, *source, flags, bandwidth, text));
       } catch (const ApiError& error) {
-        if (error.result != REPRISE_ERROR_OUT_OF_MEMORY && error.result != REPRISE_ERROR_UNSUPPORTED) throw;
+        if (error.result != REPRISE_ERROR_OUT_OF_MEMORY &&
+            error.result != REPRISE_ERROR_UNSUPPORTED)
+          throw;
         text += fmt::format("  skipped: {}\n", error.what());
-        document["skipped"].push_back({{"technique", choice.label}, {"size", size}, {"reason", error.what()}});
+        document["skipped"].push_back(
+            {{"technique", choice.label}, {"size", size}, {"reason", error.what()}});
       }
       progress.step();
       globals.print(text);
@@ -142,7 +154,8 @@ int bench(const Globals& globals, const BenchFlags& flags) {
 }  // namespace
 
 void addBench(CLI::App& app, const Globals& globals, Action& action) {
-  CLI::App* verb = app.add_subcommand("bench", "times each pass of each technique by GPU timestamps");
+  CLI::App* verb =
+      app.add_subcommand("bench", "times each pass of each technique by GPU timestamps");
   auto flags = std::make_shared<BenchFlags>();
   verb->add_option("-t,--techniques", flags->techniques, "techniques with settings (default: all)");
   verb->add_option("--scene", flags->scene, "where the frames come from")->capture_default_str();

@@ -33,10 +33,14 @@ struct CompareFlags {
 
 nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value) {
   switch (info.type) {
-    case REPRISE_SETTING_CHOICE: return info.choices[static_cast<size_t>(value)];
-    case REPRISE_SETTING_BOOLEAN: return value != 0.0;
-    case REPRISE_SETTING_INTEGER: return static_cast<int64_t>(value);
-    default: return value;
+    case REPRISE_SETTING_CHOICE:
+      return info.choices[static_cast<size_t>(value)];
+    case REPRISE_SETTING_BOOLEAN:
+      return value != 0.0;
+    case REPRISE_SETTING_INTEGER:
+      return static_cast<int64_t>(value);
+    default:
+      return value;
   }
 }
 
@@ -90,12 +94,13 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
   result.reference_samples = source.info().reference_samples;
   result.reference_filter = source.info().reference_filter;
   lab::Progress progress("measuring " + choice.label, references.size(), true);
-  result.figures = lab::measureSequence(
-      references, run.images, run.median_motion_px, [&](size_t frame, const lab::FloatImage& error) {
-        const auto index = static_cast<uint32_t>(frame);
-        output.addError(name, choice.label, index, error);
-        output.addImage(name, choice.label, index, lab::displayImage(run.images[frame]));
-      });
+  result.figures = lab::measureSequence(references, run.images, run.median_motion_px,
+                                        [&](size_t frame, const lab::FloatImage& error) {
+                                          const auto index = static_cast<uint32_t>(frame);
+                                          output.addError(name, choice.label, index, error);
+                                          output.addImage(name, choice.label, index,
+                                                          lab::displayImage(run.images[frame]));
+                                        });
   result.cost = costOf(run, resolver);
   return result;
 }
@@ -128,10 +133,12 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     for (const lab::TechniqueChoice& choice : choices) lab::Resolver(*device, choice, info);
     const std::vector<lab::FloatImage> references = readReferences(*source, frames, globals.quiet);
     lab::onWorkers(references.size(), [&](size_t i) {
-      output.addImage(info.name, "reference", static_cast<uint32_t>(i), lab::displayImage(references[i]));
+      output.addImage(info.name, "reference", static_cast<uint32_t>(i),
+                      lab::displayImage(references[i]));
     });
     for (const lab::TechniqueChoice& choice : choices) {
-      results.runs.push_back(compareOne(*device, *source, choice, references, output, globals.quiet));
+      results.runs.push_back(
+          compareOne(*device, *source, choice, references, output, globals.quiet));
     }
     reportCapture(*source, true);
     code = std::max<int>(code, validationResult(*device));
@@ -144,7 +151,8 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     const lab::BaselineCheck check =
         lab::checkBaseline(results, baseline, flags.baseline.string(), flags.max_drop_db);
     for (const std::string& failure : check.failures) spdlog::error("{}", failure);
-    globals.print(fmt::format("baseline: {} runs compared, {} failed\n", check.compared, check.failures.size()));
+    globals.print(fmt::format("baseline: {} runs compared, {} failed\n", check.compared,
+                              check.failures.size()));
     if (!check.failures.empty() && code == kDone) code = kCheckFailed;
   }
   return code;
@@ -153,27 +161,35 @@ int compare(const Globals& globals, const CompareFlags& flags) {
 }  // namespace
 
 void addCompare(CLI::App& app, const Globals& globals, Action& action) {
-  CLI::App* verb = app.add_subcommand("compare", "measures techniques against the reference and writes a report");
+  CLI::App* verb = app.add_subcommand(
+      "compare", "measures techniques against the reference and writes a report");
   auto flags = std::make_shared<CompareFlags>();
-  verb->add_option("SOURCE", flags->sources, "scenes (brick/pan) or directories of captures with references")
+  verb->add_option("SOURCE", flags->sources,
+                   "scenes (brick/pan) or directories of captures with references")
       ->required();
-  verb->add_option("-t,--techniques", flags->techniques,
-                   "techniques with settings, separated by spaces or commas: none,taa:alpha=0.05,ss:n=4")
+  verb->add_option(
+          "-t,--techniques", flags->techniques,
+          "techniques with settings, separated by spaces or commas: none,taa:alpha=0.05,ss:n=4")
       ->required();
   verb->add_option("-o,--output", flags->directory, "directory of the results")->required();
   flags->scene_flags.addTo(*verb, true);
   verb->add_option("--layout", flags->layout, "channel names of captures without capture.json")
       ->check(CLI::IsMember(lab::kCaptureLayouts))
       ->capture_default_str();
-  verb->add_option("--baseline", flags->baseline, "an earlier results.json: exit 1 where PSNR fell");
-  verb->add_option("--max-drop", flags->max_drop_db, "dB by which PSNR may fall below the baseline's")
+  verb->add_option("--baseline", flags->baseline,
+                   "an earlier results.json: exit 1 where PSNR fell");
+  verb->add_option("--max-drop", flags->max_drop_db,
+                   "dB by which PSNR may fall below the baseline's")
       ->check(CLI::Range(0.0, 100.0))
       ->capture_default_str();
-  verb->add_option("--report-mib", flags->report_mib,
-                   "MiB of pictures in report.html; beyond it every second frame is left out of the page")
+  verb->add_option(
+          "--report-mib", flags->report_mib,
+          "MiB of pictures in report.html; beyond it every second frame is left out of the page")
       ->check(CLI::Range(1u, 2048u))
       ->capture_default_str();
-  verb->footer("Example: reprise compare brick/pan -t none,taa,ss:n=4 --size 480x270 --frames 32 -o /tmp/compare");
+  verb->footer(
+      "Example: reprise compare brick/pan -t none,taa,ss:n=4 --size 480x270 --frames 32 -o "
+      "/tmp/compare");
   verb->callback([&globals, &action, flags] {
     action = [&globals, flags] { return compare(globals, *flags); };
   });

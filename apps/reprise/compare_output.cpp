@@ -18,8 +18,10 @@ std::string folderName(const std::string& text) {
   for (char c : text) {
     const bool plain = std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '.' || c == '=' ||
                        c == '_' || c == '-';
-    if (plain) name += c;
-    else if (!name.empty() && name.back() != '-') name += '-';
+    if (plain)
+      name += c;
+    else if (!name.empty() && name.back() != '-')
+      name += '-';
   }
   return name.empty() || name.find_first_not_of('.') == std::string::npos ? "_" : name;
 }
@@ -46,8 +48,8 @@ void CompareOutput::addImage(const std::string& source, const std::string& what,
   add("frames", source, what, what, frame, display);
 }
 
-void CompareOutput::addError(const std::string& source, const std::string& technique, uint32_t frame,
-                             const lab::FloatImage& flip_error) {
+void CompareOutput::addError(const std::string& source, const std::string& technique,
+                             uint32_t frame, const lab::FloatImage& flip_error) {
   add("errors", source, technique, "flip of " + technique, frame, lab::magmaImage(flip_error));
 }
 

@@ -10,8 +10,8 @@
 
 namespace reprise::app {
 
-// Where a comparison lands: frames/SOURCE/WHAT/NNNN.png, errors likewise, results.json, results.csv,
-// report.html. Pictures may be added from several threads.
+// Where a comparison lands: frames/SOURCE/WHAT/NNNN.png, errors likewise, results.json,
+// results.csv, report.html. Pictures may be added from several threads.
 class CompareOutput {
  public:
   CompareOutput(std::filesystem::path directory, uint64_t report_bytes);

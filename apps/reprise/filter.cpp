@@ -62,14 +62,16 @@ bool isWhole(const std::filesystem::path& path) {
 void claimDirectory(const FilterFlags& flags, const nlohmann::ordered_json& made_by) {
   std::error_code error;
   if (std::filesystem::equivalent(flags.capture, flags.directory, error)) {
-    throw lab::UsageError("the output directory is the capture itself: its frames would be overwritten");
+    throw lab::UsageError(
+        "the output directory is the capture itself: its frames would be overwritten");
   }
   lab::makeOutputDirectory(flags.directory);
   const std::filesystem::path note = flags.directory / "filter.json";
   if (flags.resume && std::filesystem::exists(note, error)) {
     const auto before = lab::parseJson(lab::readWholeFile(note), note.string());
     if (before != nlohmann::json(made_by)) {
-      throw lab::UsageError("--resume: " + note.string() + " was made by another technique, settings or input");
+      throw lab::UsageError("--resume: " + note.string() +
+                            " was made by another technique, settings or input");
     }
   }
   lab::writeOutputFile(note, made_by.dump(1) + "\n");
@@ -102,38 +104,43 @@ int filter(const Globals& globals, const FilterFlags& flags) {
   {
     lab::Progress progress("filter " + flags.capture.string(), frames, globals.quiet);
     // All frames are resolved, also those that are kept: history comes from the frames before.
-    run = lab::runSequence(*device, source, resolver, frames, false, [&](const lab::FrameDone& done) {
-      const std::string name = source.description().frameFile(done.index);
-      const std::filesystem::path path = flags.directory / name;
-      if (flags.resume && isWhole(path)) {
-        ++kept;
-      } else {
-        writeFiltered(path, source, done.image);
-      }
-      if (flags.png || video.has_value()) {
-        const lab::FloatImage display = lab::displayImage(done.image);
-        if (flags.png) lab::writePng(std::filesystem::path(path).replace_extension(".png"), display);
-        if (video.has_value()) video->add(display);
-      }
-      progress.step();
-    });
+    run =
+        lab::runSequence(*device, source, resolver, frames, false, [&](const lab::FrameDone& done) {
+          const std::string name = source.description().frameFile(done.index);
+          const std::filesystem::path path = flags.directory / name;
+          if (flags.resume && isWhole(path)) {
+            ++kept;
+          } else {
+            writeFiltered(path, source, done.image);
+          }
+          if (flags.png || video.has_value()) {
+            const lab::FloatImage display = lab::displayImage(done.image);
+            if (flags.png)
+              lab::writePng(std::filesystem::path(path).replace_extension(".png"), display);
+            if (video.has_value()) video->add(display);
+          }
+          progress.step();
+        });
   }
   if (video.has_value()) video->finish();
   reportCapture(source, true);
   if (kept > 0) spdlog::info("{} whole frames were kept", kept);
-  const double seconds = std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
+  const double seconds =
+      std::chrono::duration<double>(std::chrono::steady_clock::now() - begin).count();
   double resolve_ms = 0.0;
   for (const auto& [name, ms] : run.resolve_times.medians(0)) resolve_ms += ms;
   globals.print(fmt::format("{} frames by {} in {}: {:.1f} s, resolve {:.2f} ms a frame\n", frames,
                             choice.label, flags.directory.string(), seconds, resolve_ms));
   if (video.has_value()) globals.print(fmt::format("video: {}\n", flags.video.string()));
   const lab::Repairs& repairs = source.repairs();
-  globals.printJson({{"directory", flags.directory.string()},
-                     {"technique", choice.label},
-                     {"frames", frames},
-                     {"kept", kept},
-                     {"resolve_ms", resolve_ms},
-                     {"repaired", {{"color", repairs.color}, {"depth", repairs.depth}, {"motion", repairs.motion}}}});
+  globals.printJson(
+      {{"directory", flags.directory.string()},
+       {"technique", choice.label},
+       {"frames", frames},
+       {"kept", kept},
+       {"resolve_ms", resolve_ms},
+       {"repaired",
+        {{"color", repairs.color}, {"depth", repairs.depth}, {"motion", repairs.motion}}}});
   return validationResult(*device);
 }
 
@@ -142,9 +149,11 @@ int filter(const Globals& globals, const FilterFlags& flags) {
 void addFilter(CLI::App& app, const Globals& globals, Action& action) {
   CLI::App* verb = app.add_subcommand("filter", "antialiases a rendered EXR sequence");
   auto flags = std::make_shared<FilterFlags>();
-  verb->add_option("CAPTURE", flags->capture, "directory of EXR frames, with capture.json or without")
+  verb->add_option("CAPTURE", flags->capture,
+                   "directory of EXR frames, with capture.json or without")
       ->required();
-  verb->add_option("-t,--technique", flags->technique, "technique with settings, such as taa:alpha=0.05")
+  verb->add_option("-t,--technique", flags->technique,
+                   "technique with settings, such as taa:alpha=0.05")
       ->capture_default_str();
   verb->add_option("-o,--output", flags->directory, "directory of the filtered frames")->required();
   verb->add_option("--layout", flags->layout, "channel names, where there is no capture.json")
@@ -155,8 +164,9 @@ void addFilter(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_flag("--png", flags->png, "also write each frame as PNG (x/(1+x), power 1/2.2)");
   verb->add_option("--video", flags->video, "also write an H.264 film, through ffmpeg");
   verb->add_flag("--resume", flags->resume, "keep frames that are there and whole");
-  verb->footer("Example: reprise filter renders/shot3 -t taa -o renders/shot3-aa --png --video shot3.mp4\n"
-               "Other layers and metadata are kept; colour keeps its type (half or float).");
+  verb->footer(
+      "Example: reprise filter renders/shot3 -t taa -o renders/shot3-aa --png --video shot3.mp4\n"
+      "Other layers and metadata are kept; colour keeps its type (half or float).");
   verb->callback([&globals, &action, flags] {
     action = [&globals, flags] { return filter(globals, *flags); };
   });

@@ -25,7 +25,8 @@ void Globals::printJson(const nlohmann::ordered_json& document) const {
 void startLog(const Globals& globals) {
   auto logger = spdlog::stderr_color_mt("reprise");
   logger->set_pattern("reprise: %^%l%$: %v");
-  logger->set_level(globals.quiet ? spdlog::level::err : spdlog::level::from_str(globals.log_level));
+  logger->set_level(globals.quiet ? spdlog::level::err
+                                  : spdlog::level::from_str(globals.log_level));
   spdlog::set_default_logger(logger);
 }
 
@@ -37,7 +38,8 @@ std::unique_ptr<lab::Device> openDevice(const Globals& globals) {
 }
 
 ExitCode validationResult(const lab::Device& device) {
-  for (const std::string& message : device.validationMessages()) spdlog::error("validation: {}", message);
+  for (const std::string& message : device.validationMessages())
+    spdlog::error("validation: {}", message);
   return device.validationMessages().empty() ? kDone : kDevice;
 }
 
@@ -52,8 +54,8 @@ VkExtent2D parseExtent(const std::string& text) {
                         extent.height <= kMaxSide;
     if (height_status == std::errc() && rest == end && inside) return extent;
   }
-  throw lab::UsageError(fmt::format("'{}' is no extent: WIDTHxHEIGHT, each in [1, {}], such as 960x540",
-                                    text, kMaxSide));
+  throw lab::UsageError(fmt::format(
+      "'{}' is no extent: WIDTHxHEIGHT, each in [1, {}], such as 960x540", text, kMaxSide));
 }
 
 }  // namespace reprise::app

@@ -15,9 +15,12 @@ using Json = nlohmann::ordered_json;
 
 std::string defaultText(const RepriseSettingInfo& setting) {
   switch (setting.type) {
-    case REPRISE_SETTING_CHOICE: return setting.choices[static_cast<size_t>(setting.default_value)];
-    case REPRISE_SETTING_BOOLEAN: return setting.default_value != 0.0 ? "true" : "false";
-    default: return fmt::format("{:g}", setting.default_value);
+    case REPRISE_SETTING_CHOICE:
+      return setting.choices[static_cast<size_t>(setting.default_value)];
+    case REPRISE_SETTING_BOOLEAN:
+      return setting.default_value != 0.0 ? "true" : "false";
+    default:
+      return fmt::format("{:g}", setting.default_value);
   }
 }
 
@@ -39,19 +42,25 @@ Json techniqueJson(const RepriseTechniqueInfo& info) {
   json["settings"] = Json::array();
   for (uint32_t i = 0; i < info.setting_count; ++i) {
     const RepriseSettingInfo& s = info.settings[i];
-    json["settings"].push_back({{"name", s.name}, {"default", defaultText(s)}, {"range", rangeText(s)},
-                                {"unit", s.unit}, {"effect", s.effect}, {"source", s.source}});
+    json["settings"].push_back({{"name", s.name},
+                                {"default", defaultText(s)},
+                                {"range", rangeText(s)},
+                                {"unit", s.unit},
+                                {"effect", s.effect},
+                                {"source", s.source}});
   }
   json["presets"] = Json::array();
   for (uint32_t i = 0; i < info.preset_count; ++i) {
     Json values = Json::object();
     for (uint32_t k = 0; k < info.presets[i].value_count; ++k) {
       const RepriseSettingValue& value = info.presets[i].values[k];
-      if (value.text != nullptr) values[value.name] = value.text;
-      else values[value.name] = value.value;
+      if (value.text != nullptr)
+        values[value.name] = value.text;
+      else
+        values[value.name] = value.value;
     }
-    json["presets"].push_back({{"name", info.presets[i].name},
-                               {"purpose", info.presets[i].purpose}, {"values", values}});
+    json["presets"].push_back(
+        {{"name", info.presets[i].name}, {"purpose", info.presets[i].purpose}, {"values", values}});
   }
   return json;
 }
@@ -68,18 +77,25 @@ Json listJson() {
     for (const lab::CameraInfo& camera : scene.cameras) {
       Json parameters = Json::array();
       for (const lab::CameraParameter& p : camera.parameters) {
-        parameters.push_back({{"name", p.name}, {"default", p.default_value}, {"meaning", p.meaning}});
+        parameters.push_back(
+            {{"name", p.name}, {"default", p.default_value}, {"meaning", p.meaning}});
       }
-      cameras.push_back({{"name", camera.name}, {"motion", camera.motion}, {"parameters", parameters}});
+      cameras.push_back(
+          {{"name", camera.name}, {"motion", camera.motion}, {"parameters", parameters}});
     }
-    json["scenes"].push_back({{"name", scene.name}, {"content", scene.content}, {"cameras", cameras}});
+    json["scenes"].push_back(
+        {{"name", scene.name}, {"content", scene.content}, {"cameras", cameras}});
   }
   json["devices"] = Json::array();
   size_t index = 0;
   for (const lab::DeviceSummary& device : lab::Device::list()) {
-    json["devices"].push_back({{"index", index++}, {"name", device.name}, {"driver", device.driver},
-                               {"type", device.type}, {"api", device.api_version},
-                               {"usable", device.usable}, {"missing", device.missing},
+    json["devices"].push_back({{"index", index++},
+                               {"name", device.name},
+                               {"driver", device.driver},
+                               {"type", device.type},
+                               {"api", device.api_version},
+                               {"usable", device.usable},
+                               {"missing", device.missing},
                                {"fragment_shading_rate", device.shading_rate}});
   }
   return json;
@@ -96,7 +112,8 @@ std::string listText(const Json& json, const std::string& only) {
     text += fmt::format("  {:<14}{} ({})\n", get("name"), get("summary"), get("source"));
     for (const Json& s : technique["settings"]) {
       const auto setting = [&](const char* key) { return s[key].get<std::string>(); };
-      text += fmt::format("    {:<20}= {:<12}{}\n", setting("name"), setting("default"), setting("range"));
+      text += fmt::format("    {:<20}= {:<12}{}\n", setting("name"), setting("default"),
+                          setting("range"));
       if (!only.empty()) {
         text += fmt::format("        {}\n        from: {}\n", setting("effect"), setting("source"));
       }
@@ -125,20 +142,24 @@ std::string listText(const Json& json, const std::string& only) {
   }
   text += "\nDevices\n";
   for (const Json& device : json["devices"]) {
-    text += fmt::format("  {}: {} ({}, {}, Vulkan {}){}{}\n", device["index"].get<size_t>(),
-                        device["name"].get<std::string>(), device["type"].get<std::string>(),
-                        device["driver"].get<std::string>(), device["api"].get<std::string>(),
-                        device["usable"].get<bool>() ? "" : " - not usable: " + device["missing"].get<std::string>(),
-                        device["fragment_shading_rate"].get<bool>() ? ", fragment shading rate" : "");
+    text += fmt::format(
+        "  {}: {} ({}, {}, Vulkan {}){}{}\n", device["index"].get<size_t>(),
+        device["name"].get<std::string>(), device["type"].get<std::string>(),
+        device["driver"].get<std::string>(), device["api"].get<std::string>(),
+        device["usable"].get<bool>() ? ""
+                                     : " - not usable: " + device["missing"].get<std::string>(),
+        device["fragment_shading_rate"].get<bool>() ? ", fragment shading rate" : "");
   }
-  if (json["devices"].empty()) text += "  none: install a Vulkan driver (mesa-vulkan-drivers has a CPU one)\n";
+  if (json["devices"].empty())
+    text += "  none: install a Vulkan driver (mesa-vulkan-drivers has a CPU one)\n";
   return text;
 }
 
 }  // namespace
 
 void addList(CLI::App& app, const Globals& globals, Action& action) {
-  CLI::App* verb = app.add_subcommand("list", "techniques with their settings, scenes with their cameras, devices");
+  CLI::App* verb = app.add_subcommand(
+      "list", "techniques with their settings, scenes with their cameras, devices");
   auto only = std::make_shared<std::string>();
   verb->add_option("TECHNIQUE", *only, "only this one, with the effect and origin of each setting");
   verb->footer("Example: reprise list taa");

@@ -15,10 +15,12 @@ namespace reprise::app {
 namespace {
 
 void addGlobals(CLI::App& app, Globals& globals) {
-  app.add_option("--device", globals.device,
-                 "GPU by index or by part of its name (default: the first GPU, else the CPU driver)");
-  app.add_flag("--validation", globals.validation,
-               "run under the Khronos validation layer with synchronization checks; a finding is exit 4");
+  app.add_option(
+      "--device", globals.device,
+      "GPU by index or by part of its name (default: the first GPU, else the CPU driver)");
+  app.add_flag(
+      "--validation", globals.validation,
+      "run under the Khronos validation layer with synchronization checks; a finding is exit 4");
   app.add_option("--log", globals.log_level, "messages on standard error from this level on")
       ->check(CLI::IsMember({"debug", "info", "warning", "error", "off"}))
       ->capture_default_str();
@@ -61,9 +63,10 @@ int main(int argc, char** argv) {
   Globals globals;
   globals.command = typedCommand(argc, argv);
   Action action;
-  CLI::App app("Temporal antialiasing and supersampling: compare techniques on evidence, clean up "
-               "rendered sequences.",
-               "reprise");
+  CLI::App app(
+      "Temporal antialiasing and supersampling: compare techniques on evidence, clean up "
+      "rendered sequences.",
+      "reprise");
   app.set_version_flag("--version", std::string("reprise ") + repriseGetVersion());
   app.require_subcommand(1);
   // Global options may also stand after the verb.
@@ -83,4 +86,6 @@ int main(int argc, char** argv) {
 }  // namespace
 }  // namespace reprise::app
 
-int main(int argc, char** argv) { return reprise::app::main(argc, argv); }
+int main(int argc, char** argv) {
+  return reprise::app::main(argc, argv);
+}

@@ -9,15 +9,17 @@
 namespace reprise::app {
 
 void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
-  verb.add_option("--size", extent, "extent of scenes, WIDTHxHEIGHT in [1, 16384]")->capture_default_str();
+  verb.add_option("--size", extent, "extent of scenes, WIDTHxHEIGHT in [1, 16384]")
+      ->capture_default_str();
   verb.add_option("--frames", frames, "frames; of a capture, at most as many as it has")
       ->check(CLI::Range(1u, 1000000u))
       ->capture_default_str();
   verb.add_option("--fps", frame_rate, "frames a second of scenes")
       ->check(CLI::Range(0.001, 100000.0))
       ->capture_default_str();
-  verb.add_flag("--unjitter-textures", unjitter_textures,
-                "scenes: textures are looked up at the pixel centre although visibility is jittered");
+  verb.add_flag(
+      "--unjitter-textures", unjitter_textures,
+      "scenes: textures are looked up at the pixel centre although visibility is jittered");
   verb.add_option("--mip-bias", mip_bias, "scenes: levels added to what the technique asks for")
       ->check(CLI::Range(-8.0f, 8.0f))
       ->capture_default_str();
@@ -43,8 +45,8 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.switches.unjitter_textures = unjitter_textures;
   options.switches.mip_bias = mip_bias;
   options.reference.samples = reference_samples;
-  options.reference.filter = reference_filter == "box" ? lab::ReferenceFilter::kBox
-                                                       : lab::ReferenceFilter::kGaussian;
+  options.reference.filter =
+      reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;
   options.reference.cache = cache;
   return options;
 }
@@ -53,7 +55,8 @@ std::unique_ptr<lab::FrameSource> openSource(lab::Device& device, const std::str
                                              const SceneFlags& flags, lab::CaptureLayout layout) {
   std::unique_ptr<lab::FrameSource> source;
   if (lab::namesScene(text)) {
-    auto scene = std::make_unique<lab::SceneSource>(device, lab::parseSceneRun(text), flags.options());
+    auto scene =
+        std::make_unique<lab::SceneSource>(device, lab::parseSceneRun(text), flags.options());
     scene->references().setWarning([](const std::string& line) { spdlog::warn("{}", line); });
     source = std::move(scene);
   } else {

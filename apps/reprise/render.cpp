@@ -9,9 +9,9 @@
 #include "lab/capture/png_file.h"
 #include "lab/metrics/display_space.h"
 #include "lab/run/interrupt.h"
+#include "lab/run/pass_times.h"
 #include "lab/run/progress.h"
 #include "lab/run/resolver.h"
-#include "lab/run/pass_times.h"
 #include "open_source.h"
 #include "verbs.h"
 
@@ -37,7 +37,8 @@ std::string splitText(const lab::PassTimes& times, uint32_t frames, double evalu
   for (const auto& [name, ms] : medians) sum += ms;
   std::string text = fmt::format("GPU time a frame, median of {} frames\n", frames);
   for (const auto& [name, ms] : medians) {
-    text += fmt::format("  {:<12}{:>9.3f} ms {:>5.1f} %\n", name, ms, sum > 0.0 ? 100.0 * ms / sum : 0.0);
+    text += fmt::format("  {:<12}{:>9.3f} ms {:>5.1f} %\n", name, ms,
+                        sum > 0.0 ? 100.0 * ms / sum : 0.0);
   }
   text += fmt::format("  {:<12}{:>9.3f} ms\n", "all", sum);
   text += fmt::format("shading evaluations a pixel: {:.3f}\n", evaluations);
@@ -50,7 +51,8 @@ int render(const Globals& globals, const RenderFlags& flags) {
   }
   const lab::TechniqueChoice plan = lab::parseTechnique(flags.plan);
   const auto device = openDevice(globals);
-  const auto source = openSource(*device, flags.scene, flags.scene_flags, lab::CaptureLayout::kAuto);
+  const auto source =
+      openSource(*device, flags.scene, flags.scene_flags, lab::CaptureLayout::kAuto);
   lab::Resolver resolver(*device, plan, source->info());
   lab::SourceInfo described = source->info();
   if (!flags.with_reference) described.reference_samples = 0;
@@ -85,8 +87,8 @@ int render(const Globals& globals, const RenderFlags& flags) {
   writer.finish();
   if (writer.kept() > 0) spdlog::info("{} whole files were kept", writer.kept());
 
-  const double pixels = static_cast<double>(source->info().extent.width) *
-                        source->info().extent.height * frames;
+  const double pixels =
+      static_cast<double>(source->info().extent.width) * source->info().extent.height * frames;
   const double evaluations_per_pixel = static_cast<double>(evaluations) / pixels;
   globals.print(splitText(times, frames, evaluations_per_pixel));
   globals.print(fmt::format("{} frames in {}\n", frames, flags.directory.string()));
@@ -106,13 +108,16 @@ void addRender(CLI::App& app, const Globals& globals, Action& action) {
   auto flags = std::make_shared<RenderFlags>();
   verb->add_option("SCENE", flags->scene, "scene/camera, such as brick/pan")->required();
   verb->add_option("-o,--output", flags->directory, "directory of the capture")->required();
-  verb->add_option("--plan", flags->plan, "technique, with settings, that the frames are sampled for")
+  verb->add_option("--plan", flags->plan,
+                   "technique, with settings, that the frames are sampled for")
       ->capture_default_str();
   flags->scene_flags.addTo(*verb, true);
-  verb->add_flag("--reference", flags->with_reference, "also write the many-sample reference of each frame");
+  verb->add_flag("--reference", flags->with_reference,
+                 "also write the many-sample reference of each frame");
   verb->add_flag("--png", flags->png, "also write each frame as PNG (x/(1+x), power 1/2.2)");
   verb->add_flag("--resume", flags->resume, "keep files that are there and whole");
-  verb->footer("Example: reprise render brick/pan --size 480x270 --frames 32 --reference -o /tmp/brick");
+  verb->footer(
+      "Example: reprise render brick/pan --size 480x270 --frames 32 --reference -o /tmp/brick");
   verb->callback([&globals, &action, flags] {
     action = [&globals, flags] { return render(globals, *flags); };
   });

@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The smallest host: a device, frames of a tilted edge sampled once a pixel, and Reprise's `taa` that
-// turns them into an antialiased image. Prints one row of it; exits 0 if the edge came out smooth.
+// The smallest host: a device, frames of a tilted edge sampled once a pixel, and Reprise's `taa`
+// that turns them into an antialiased image. Prints one row of it; exits 0 if the edge came out
+// smooth.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -12,13 +13,13 @@
 
 enum { kWidth = 64, kHeight = 32, kFrames = 64, kTexels = kWidth * kHeight };
 
-#define CHECK(call)                                             \
-  do {                                                          \
-    int check_result = (int)(call);                             \
-    if (check_result != 0) {                                    \
-      fprintf(stderr, "%s gave %d\n", #call, check_result);     \
-      exit(1);                                                  \
-    }                                                           \
+#define CHECK(call)                                         \
+  do {                                                      \
+    int check_result = (int)(call);                         \
+    if (check_result != 0) {                                \
+      fprintf(stderr, "%s gave %d\n", #call, check_result); \
+      exit(1);                                              \
+    }                                                       \
   } while (0)
 
 static VkPhysicalDevice gpu;
@@ -112,10 +113,9 @@ int main(void) {
   // What a renderer has: colour, depth, motion, and an image for the result.
   const VkImageUsageFlags in = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   const VkImageUsageFlags out = VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT;
-  Image images[4] = {createImage(VK_FORMAT_R32G32B32A32_SFLOAT, in),
-                     createImage(VK_FORMAT_R32_SFLOAT, in),
-                     createImage(VK_FORMAT_R32G32_SFLOAT, in),
-                     createImage(VK_FORMAT_R32G32B32A32_SFLOAT, out)};
+  Image images[4] = {
+      createImage(VK_FORMAT_R32G32B32A32_SFLOAT, in), createImage(VK_FORMAT_R32_SFLOAT, in),
+      createImage(VK_FORMAT_R32G32_SFLOAT, in), createImage(VK_FORMAT_R32G32B32A32_SFLOAT, out)};
   VkBufferCreateInfo buffer_info = {VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
   buffer_info.size = kTexels * 48;  // in: colour 16, depth 4, motion 8 bytes a texel; out at 32
   buffer_info.usage = VK_BUFFER_USAGE_TRANSFER_SRC_BIT | VK_BUFFER_USAGE_TRANSFER_DST_BIT;
@@ -123,8 +123,8 @@ int main(void) {
   CHECK(vkCreateBuffer(device, &buffer_info, NULL, &buffer));
   VkMemoryRequirements needs;
   vkGetBufferMemoryRequirements(device, buffer, &needs);
-  VkDeviceMemory buffer_memory = allocate(
-      needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
+  VkDeviceMemory buffer_memory =
+      allocate(needs, VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT);
   CHECK(vkBindBufferMemory(device, buffer, buffer_memory, 0));
   float* texels;
   CHECK(vkMapMemory(device, buffer_memory, 0, VK_WHOLE_SIZE, 0, (void**)&texels));

@@ -28,26 +28,28 @@
 //              near / (1 - depth)                                  ..._DEVICE_INFINITE
 //              near + depth * (far - near)                         REPRISE_DEPTH_ORTHOGRAPHIC
 //              Units are the host's own; they cancel.
-//   colour     linear light, RGB, any scale. scene = color / pre_exposure. Output has the exposure of
+//   colour     linear light, RGB, any scale. scene = color / pre_exposure. Output has the exposure
+//   of
 //              the input of the same frame. Alpha is not read; the output's alpha is 1.
 //              NaN, infinite and negative texels are read as 0.
 //
 // Images and synchronization
-//   The host owns the instance, device, queues and command buffers. The library records compute work
-//   and barriers for its own images; it never submits and never waits. When repriseRecord's commands
-//   execute:
+//   The host owns the instance, device, queues and command buffers. The library records compute
+//   work and barriers for its own images; it never submits and never waits. When repriseRecord's
+//   commands execute:
 //     inputs  must be readable: writes made available and visible to
 //             VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT / VK_ACCESS_SHADER_READ_BIT, in the layout that
 //             RepriseImage::layout names (SHADER_READ_ONLY_OPTIMAL, DEPTH_STENCIL_READ_ONLY_OPTIMAL
 //             or GENERAL); they are left in it.
 //     output  must be in VK_IMAGE_LAYOUT_GENERAL, earlier accesses finished, and is left in it; its
-//             last access is COMPUTE_SHADER / SHADER_WRITE. The host places the barrier that its own
-//             next access needs.
-//   History images belong to the context. Queue-family ownership stays with the host: record a context
-//   on one queue family only.
+//             last access is COMPUTE_SHADER / SHADER_WRITE. The host places the barrier that its
+//             own next access needs.
+//   History images belong to the context. Queue-family ownership stays with the host: record a
+//   context on one queue family only.
 //
 // Errors: every call that can fail returns a RepriseResult and, if the context (or its creation
-// structure) has a message callback, says in one line what is wrong. A call that fails changes nothing.
+// structure) has a message callback, says in one line what is wrong. A call that fails changes
+// nothing.
 //
 // Threads: one thread at a time a context; contexts are independent.
 #ifndef REPRISE_REPRISE_H
@@ -83,7 +85,8 @@ typedef enum RepriseMessageSeverity {
 } RepriseMessageSeverity;
 
 // `text` is one line, UTF-8, valid during the call only. Called on the thread of the failing call.
-typedef void (*RepriseMessageCallback)(RepriseMessageSeverity severity, const char* text, void* user);
+typedef void (*RepriseMessageCallback)(RepriseMessageSeverity severity, const char* text,
+                                       void* user);
 
 // ---------------------------------------------------------------------------------------------------
 // Techniques and their settings. The command line's flags and the documentation's tables are made
@@ -156,15 +159,15 @@ const char* repriseResultText(RepriseResult result);
 // Requirements
 
 typedef struct RepriseRequirements {
-  size_t size;                             // = sizeof(RepriseRequirements), set by the caller
-  uint32_t vulkan_version;                 // lowest apiVersion of the device
-  uint32_t device_extension_count;         // 0 today
+  size_t size;                      // = sizeof(RepriseRequirements), set by the caller
+  uint32_t vulkan_version;          // lowest apiVersion of the device
+  uint32_t device_extension_count;  // 0 today
   const char* const* device_extensions;
-  VkPhysicalDeviceFeatures features;       // those that the host must enable are VK_TRUE
+  VkPhysicalDeviceFeatures features;  // those that the host must enable are VK_TRUE
 } RepriseRequirements;
 
-// What a device must have enabled for `technique`. With a physical device given, also checks that it
-// offers all of it: REPRISE_ERROR_UNSUPPORTED otherwise. VK_NULL_HANDLE and NULL: no check.
+// What a device must have enabled for `technique`. With a physical device given, also checks that
+// it offers all of it: REPRISE_ERROR_UNSUPPORTED otherwise. VK_NULL_HANDLE and NULL: no check.
 RepriseResult repriseGetRequirements(const char* technique, VkInstance instance,
                                      VkPhysicalDevice physical_device,
                                      PFN_vkGetInstanceProcAddr get_instance_proc_addr,
@@ -192,16 +195,16 @@ typedef struct RepriseContextInfo {
   VkPhysicalDevice physical_device;
   VkDevice device;
   PFN_vkGetInstanceProcAddr get_instance_proc_addr;
-  VkPipelineCache pipeline_cache;  // optional
-  const char* technique;           // a name from repriseGetTechnique
-  const char* preset;              // optional: a preset's name
+  VkPipelineCache pipeline_cache;       // optional
+  const char* technique;                // a name from repriseGetTechnique
+  const char* preset;                   // optional: a preset's name
   const RepriseSettingValue* settings;  // optional: override defaults and preset
   uint32_t setting_count;
   VkExtent2D max_input_extent;   // [1, device's maxImageDimension2D] px
   VkExtent2D max_output_extent;  // likewise; {0, 0}: as max_input_extent
   uint32_t frames_in_flight;     // [1, 8]: how many recorded frames may be unfinished at a time
   RepriseDepthKind depth_kind;
-  uint32_t flags;  // RepriseContextFlags
+  uint32_t flags;                           // RepriseContextFlags
   RepriseMessageCallback message_callback;  // optional
   void* message_user;
 } RepriseContextInfo;
@@ -210,8 +213,8 @@ RepriseResult repriseCreateContext(const RepriseContextInfo* info, RepriseContex
 // The device must have finished all work recorded with the context. NULL is ignored.
 void repriseDestroyContext(RepriseContext context);
 
-// Changes settings. Those with needs_prepare take effect at the next reprisePrepare, which must then
-// come before the next record. History is kept where its images stay the same.
+// Changes settings. Those with needs_prepare take effect at the next reprisePrepare, which must
+// then come before the next record. History is kept where its images stay the same.
 RepriseResult repriseSetSettings(RepriseContext context, const RepriseSettingValue* values,
                                  uint32_t count);
 // The value now set (a choice: its index).
@@ -222,8 +225,9 @@ RepriseResult repriseGetSetting(RepriseContext context, const char* name, double
 RepriseResult repriseResize(RepriseContext context, VkExtent2D max_input_extent,
                             VkExtent2D max_output_extent);
 
-// Creates what is missing: history images, pipelines. Never called by the library itself. The device
-// must have finished all work recorded with the context if settings with needs_prepare were changed.
+// Creates what is missing: history images, pipelines. Never called by the library itself. The
+// device must have finished all work recorded with the context if settings with needs_prepare were
+// changed.
 RepriseResult reprisePrepare(RepriseContext context);
 
 // Forgets history: the next record gives the current frame alone, as RepriseFrame::reset does.
@@ -248,8 +252,8 @@ typedef struct RepriseSamplePlan {
   float shading_offset_sigma_px;
   uint32_t shading_offset_seed;
   uint32_t shading_offset_quadrant;  // [0, 3]
-  uint32_t coarse_size;              // pixels a side that share one shading evaluation; 1: each its own
-  int32_t coarse_origin_px[2];       // [0, coarse_size)
+  uint32_t coarse_size;         // pixels a side that share one shading evaluation; 1: each its own
+  int32_t coarse_origin_px[2];  // [0, coarse_size)
 } RepriseSamplePlan;
 
 // The plan of frame `frame_index`: a pure function of the index, the settings and the extents.
@@ -273,21 +277,21 @@ typedef struct RepriseCamera {
 } RepriseCamera;
 
 typedef struct RepriseFrame {
-  size_t size;           // = sizeof(RepriseFrame)
-  uint64_t frame_index;  // the one whose plan the frame was rendered with
-  RepriseImage color;    // any sampled float or unorm format
-  RepriseImage depth;    // any sampled one-channel float or unorm format, or a depth aspect
-  RepriseImage motion;   // any sampled two-channel float format
+  size_t size;            // = sizeof(RepriseFrame)
+  uint64_t frame_index;   // the one whose plan the frame was rendered with
+  RepriseImage color;     // any sampled float or unorm format
+  RepriseImage depth;     // any sampled one-channel float or unorm format, or a depth aspect
+  RepriseImage motion;    // any sampled two-channel float format
   RepriseImage reactive;  // optional (view VK_NULL_HANDLE): .r in [0, 1]; 1: take the current frame
-  RepriseImage id;        // optional: unsigned integer format, .r; history of another id is rejected
-  RepriseImage output;    // storage image, any float or unorm format with STORAGE_IMAGE support
-  VkExtent2D input_extent;    // the sub-rectangle at (0, 0) that holds this frame; {0,0}: the maximum
-  VkExtent2D output_extent;   // likewise
-  float jitter_px[2];         // [-1, 1] the jitter the frame was rendered with
-  float motion_scale[2];      // motion in px = texel * motion_scale; {1, 1} for pixels,
-                              // {w, h} for uv, {w/2, h/2} for Vulkan NDC; not 0
-  float near_plane;           // (0, inf), not used for REPRISE_DEPTH_PLANAR
-  float far_plane;            // (near, inf], not used for infinite and planar kinds
+  RepriseImage id;      // optional: unsigned integer format, .r; history of another id is rejected
+  RepriseImage output;  // storage image, any float or unorm format with STORAGE_IMAGE support
+  VkExtent2D input_extent;  // the sub-rectangle at (0, 0) that holds this frame; {0,0}: the maximum
+  VkExtent2D output_extent;     // likewise
+  float jitter_px[2];           // [-1, 1] the jitter the frame was rendered with
+  float motion_scale[2];        // motion in px = texel * motion_scale; {1, 1} for pixels,
+                                // {w, h} for uv, {w/2, h/2} for Vulkan NDC; not 0
+  float near_plane;             // (0, inf), not used for REPRISE_DEPTH_PLANAR
+  float far_plane;              // (near, inf], not used for infinite and planar kinds
   const RepriseCamera* camera;  // optional; makes the depth test exact under camera motion
   float pre_exposure;           // (0, inf)
   float frame_time_s;           // [0, inf) seconds since the last frame
@@ -309,15 +313,15 @@ const char* repriseGetPassName(RepriseContext context, uint32_t index);
 // Memory
 
 typedef struct RepriseMemoryItem {
-  const char* name;    // "history color" ...; static storage
-  VkFormat format;     // VK_FORMAT_UNDEFINED: a buffer
-  VkExtent2D extent;   // px; {0, 0} for a buffer
-  uint32_t copies;     // 2 for ping-pong
-  uint64_t bytes;      // of all copies, as allocated
+  const char* name;   // "history color" ...; static storage
+  VkFormat format;    // VK_FORMAT_UNDEFINED: a buffer
+  VkExtent2D extent;  // px; {0, 0} for a buffer
+  uint32_t copies;    // 2 for ping-pong
+  uint64_t bytes;     // of all copies, as allocated
 } RepriseMemoryItem;
 
-// Writes up to `capacity` items and sets *count to how many there are. items may be NULL to ask only.
-// Valid after reprisePrepare.
+// Writes up to `capacity` items and sets *count to how many there are. items may be NULL to ask
+// only. Valid after reprisePrepare.
 RepriseResult repriseGetMemory(RepriseContext context, RepriseMemoryItem* items, uint32_t capacity,
                                uint32_t* count);
 

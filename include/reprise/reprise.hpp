@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// C++ wrapper of reprise.h: ownership and exceptions, nothing else. Conventions, layouts and units are
-// those of reprise.h.
+// C++ wrapper of reprise.h: ownership and exceptions, nothing else. Conventions, layouts and units
+// are those of reprise.h.
 #ifndef REPRISE_REPRISE_HPP
 #define REPRISE_REPRISE_HPP
 
@@ -22,8 +22,8 @@ class ApiError : public std::runtime_error {
   RepriseResult result;
 };
 
-// A context that is destroyed with its owner. Every call throws ApiError, with the library's message,
-// where the C call returns an error.
+// A context that is destroyed with its owner. Every call throws ApiError, with the library's
+// message, where the C call returns an error.
 class OwnedContext {
  public:
   using MessageHandler = std::function<void(RepriseMessageSeverity, const std::string&)>;

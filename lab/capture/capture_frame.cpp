@@ -117,8 +117,7 @@ class FrameReader {
         int count = 0;
         for (int ny = std::max(y - 1, 0); ny <= std::min<int>(y + 1, height_ - 1); ++ny) {
           for (int nx = std::max(x - 1, 0); nx <= std::min<int>(x + 1, width_ - 1); ++nx) {
-            const float value =
-                source.at(static_cast<uint32_t>(nx), static_cast<uint32_t>(ny))[c];
+            const float value = source.at(static_cast<uint32_t>(nx), static_cast<uint32_t>(ny))[c];
             if (!std::isfinite(value)) continue;
             sum += value;
             ++count;
@@ -134,8 +133,8 @@ class FrameReader {
   std::vector<bool> readDepth() {
     frame_.depth = channel(description_.depth.channel, "depth").floats();
     const bool device = description_.depth.kind == CaptureDepth::kDevice;
-    const float far_value = device ? (description_.depth.reversed ? 0.0f : 1.0f)
-                                   : std::numeric_limits<float>::max();
+    const float far_value =
+        device ? (description_.depth.reversed ? 0.0f : 1.0f) : std::numeric_limits<float>::max();
     const float background_value = description_.depth.background.value_or(far_value);
     std::vector<bool> background(frame_.depth.size());
     for (size_t i = 0; i < frame_.depth.size(); ++i) {
@@ -166,8 +165,8 @@ class FrameReader {
         const double ndc_y = 1.0 - 2.0 * (y + 0.5 - info_.jitter_px[1]) / height_;
         const double ray_x = (ndc_x + p[2]) / p[0];
         const double ray_y = (ndc_y + p[6]) / p[5];
-        frame_.depth[i] = static_cast<float>(frame_.depth[i] /
-                                             std::sqrt(ray_x * ray_x + ray_y * ray_y + 1.0));
+        frame_.depth[i] =
+            static_cast<float>(frame_.depth[i] / std::sqrt(ray_x * ray_x + ray_y * ray_y + 1.0));
       }
     }
   }
@@ -251,9 +250,9 @@ FloatImage readCaptureReference(const std::filesystem::path& directory,
   const std::string path = (directory / description.referenceFile(index)).string();
   const ExrImage file = readExr(path);
   if (file.width != description.extent.width || file.height != description.extent.height) {
-    throw CaptureError(path, "extent", fmt::format("{}x{} where the sequence has {}x{}", file.width,
-                                                   file.height, description.extent.width,
-                                                   description.extent.height));
+    throw CaptureError(path, "extent",
+                       fmt::format("{}x{} where the sequence has {}x{}", file.width, file.height,
+                                   description.extent.width, description.extent.height));
   }
   FloatImage rgb(file.width, file.height, 3);
   for (size_t c = 0; c < 3; ++c) {

@@ -125,7 +125,8 @@ TEST(CaptureFrame, RayDepthBecomesPlanar) {
   SmallCapture capture;
   capture.write();
   capture.description.depth.kind = CaptureDepth::kRay;
-  EXPECT_NE(capture.error().find("frame 1: camera: depth of the kind 'ray' needs"), std::string::npos);
+  EXPECT_NE(capture.error().find("frame 1: camera: depth of the kind 'ray' needs"),
+            std::string::npos);
   MatrixRows projection{};
   projection[0] = 1.0f;
   projection[5] = 2.0f;
@@ -170,7 +171,8 @@ TEST(CaptureFrame, EachKindOfDamageNamesFileFrameAndField) {
             std::string::npos);
   capture.description.depth.channel = "depth.Z";
   capture.description.extent.width = 9;
-  EXPECT_NE(capture.error().find("frame 1: extent: 8x4 where the sequence has 9x4"), std::string::npos);
+  EXPECT_NE(capture.error().find("frame 1: extent: 8x4 where the sequence has 9x4"),
+            std::string::npos);
   capture.description.extent.width = 8;
   capture.x[11] = 9.0f;
   capture.write();
@@ -197,7 +199,9 @@ TEST(Layouts, EngineFilesAreDescribedByTheirChannels) {
   // A gap in the numbers is a missing frame, not another sequence.
   std::filesystem::copy(capture.directory.path() / "frame_0001.exr",
                         capture.directory.path() / "frame_0003.exr");
-  EXPECT_EQ(detectCapture(capture.directory.path(), CaptureLayout::kEngine).description.frames.size(), 3u);
+  EXPECT_EQ(
+      detectCapture(capture.directory.path(), CaptureLayout::kEngine).description.frames.size(),
+      3u);
   std::filesystem::copy(capture.directory.path() / "frame_0001.exr",
                         capture.directory.path() / "other_0001.exr");
   EXPECT_THROW(detectCapture(capture.directory.path(), CaptureLayout::kEngine), CaptureError);

@@ -105,7 +105,8 @@ FrameInputs CaptureSource::frame(VkCommandBuffer commands, uint32_t index, const
   upload(color_, frame_.color.data(), frame_.color.size());
   upload(depth_, frame_.depth.data(), 4 * frame_.depth.size());
   upload(motion_, frame_.motion.data(), 4 * frame_.motion.size());
-  if (!frame_.reactive.empty()) upload(reactive_, frame_.reactive.data(), 4 * frame_.reactive.size());
+  if (!frame_.reactive.empty())
+    upload(reactive_, frame_.reactive.data(), 4 * frame_.reactive.size());
   if (!frame_.id.empty()) upload(id_, frame_.id.data(), 4 * frame_.id.size());
   fullBarrier(commands);
 

@@ -15,8 +15,9 @@
 
 namespace reprise::lab {
 
-// A sequence from disk as a sequence of frames. The plan is not honoured: the frames were sampled when
-// they were written, and their jitter is the file's. The next frame is read while one is worked on.
+// A sequence from disk as a sequence of frames. The plan is not honoured: the frames were sampled
+// when they were written, and their jitter is the file's. The next frame is read while one is
+// worked on.
 class CaptureSource final : public FrameSource {
  public:
   // Throws CaptureError. Every frame's file is looked for before the first is read.

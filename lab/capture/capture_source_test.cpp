@@ -24,8 +24,12 @@ class Written {
     const Image color(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = kExtent});
     const Image depth(device_, {.format = VK_FORMAT_R32_SFLOAT, .extent = kExtent});
     const Image motion(device_, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = kExtent});
-    SourceInfo info{.name = "test", .extent = kExtent, .frame_count = frames, .frame_rate = 50.0,
-                    .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE, .reference_samples = 4};
+    SourceInfo info{.name = "test",
+                    .extent = kExtent,
+                    .frame_count = frames,
+                    .frame_rate = 50.0,
+                    .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
+                    .reference_samples = 4};
     CaptureWriter writer(directory.path(), info, "taa", resume);
     for (uint32_t i = 0; i < frames; ++i) {
       fill(color, 0.1f + static_cast<float>(i));
@@ -60,7 +64,8 @@ class Written {
                                                                               : 1;
     FloatImage texels(kExtent.width, kExtent.height, channels);
     for (size_t i = 0; i < texels.texels.size(); ++i) {
-      texels.texels[i] = channels == 4 && i % 4 == 3 ? 1.0f : first + 0.013f * static_cast<float>(i % 64);
+      texels.texels[i] =
+          channels == 4 && i % 4 == 3 ? 1.0f : first + 0.013f * static_cast<float>(i % 64);
     }
     upload(device_, image, texels);
   }
@@ -78,7 +83,8 @@ TEST(CaptureSource, GivesBackTheWritersImagesBitForBit) {
   // Out of order and again: any frame at any time.
   for (uint32_t index : {0u, 1u, 2u, 0u, 2u, 2u}) {
     FrameInputs inputs;
-    device.submitAndWait([&](VkCommandBuffer commands) { inputs = source.frame(commands, index, {}); });
+    device.submitAndWait(
+        [&](VkCommandBuffer commands) { inputs = source.frame(commands, index, {}); });
     EXPECT_EQ(downloadBytes(device, *inputs.color), written.color_bytes[index]) << index;
     EXPECT_EQ(inputs.jitter_px[0], 0.1f * static_cast<float>(index));
     EXPECT_EQ(inputs.near_plane, 0.05f);
@@ -110,8 +116,9 @@ TEST(CaptureSource, ADamagedFrameIsToldWhenItsTurnComes) {
   std::filesystem::resize_file(path, std::filesystem::file_size(path) / 2);
   CaptureSource source(device, written.directory.path());
   device.submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, 0, {}); });
-  EXPECT_THROW(device.submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, 1, {}); }),
-               CaptureError);
+  EXPECT_THROW(
+      device.submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, 1, {}); }),
+      CaptureError);
   // The device is still good.
   device.submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, 2, {}); });
 }

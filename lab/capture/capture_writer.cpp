@@ -38,9 +38,15 @@ CaptureWriter::CaptureWriter(std::filesystem::path directory, const SourceInfo& 
   description_.color_layer = "color";
   description_.depth.channel = "depth.Z";
   switch (source.depth_kind) {
-    case REPRISE_DEPTH_PLANAR: description_.depth.kind = CaptureDepth::kPlanar; break;
-    case REPRISE_DEPTH_ORTHOGRAPHIC: description_.depth.kind = CaptureDepth::kOrthographic; break;
-    default: description_.depth.kind = CaptureDepth::kDevice; break;
+    case REPRISE_DEPTH_PLANAR:
+      description_.depth.kind = CaptureDepth::kPlanar;
+      break;
+    case REPRISE_DEPTH_ORTHOGRAPHIC:
+      description_.depth.kind = CaptureDepth::kOrthographic;
+      break;
+    default:
+      description_.depth.kind = CaptureDepth::kDevice;
+      break;
   }
   description_.depth.reversed = source.depth_kind == REPRISE_DEPTH_DEVICE_REVERSED ||
                                 source.depth_kind == REPRISE_DEPTH_REVERSED_INFINITE;
@@ -74,10 +80,11 @@ void CaptureWriter::add(Device& device, const FrameInputs& inputs) {
   info.pre_exposure = inputs.pre_exposure;
   if (inputs.camera.has_value()) {
     // An infinite far plane is left out.
-    const bool infinite = description_.depth.infinite || description_.depth.kind == CaptureDepth::kPlanar;
-    info.camera = captureCamera(*inputs.camera, inputs.near_plane,
-                                infinite ? std::numeric_limits<float>::infinity()
-                                         : inputs.far_plane);
+    const bool infinite =
+        description_.depth.infinite || description_.depth.kind == CaptureDepth::kPlanar;
+    info.camera =
+        captureCamera(*inputs.camera, inputs.near_plane,
+                      infinite ? std::numeric_limits<float>::infinity() : inputs.far_plane);
   }
   description_.frames.push_back(info);
   const size_t index = description_.frames.size() - 1;

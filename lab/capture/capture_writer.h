@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Live frames as a capture: the formats of the live images, so that filtering from disk gives bit for
-// bit what the live run gives.
+// Live frames as a capture: the formats of the live images, so that filtering from disk gives bit
+// for bit what the live run gives.
 #pragma once
 
 #include <filesystem>
@@ -16,8 +16,8 @@ namespace reprise::lab {
 
 class CaptureWriter {
  public:
-  // `plan` is the technique, with its settings, that the frames are sampled for. With `resume`, files
-  // that are there and whole stay. Throws CaptureError.
+  // `plan` is the technique, with its settings, that the frames are sampled for. With `resume`,
+  // files that are there and whole stay. Throws CaptureError.
   CaptureWriter(std::filesystem::path directory, const SourceInfo& source, std::string plan,
                 bool resume);
 

@@ -171,8 +171,10 @@ RepriseDepthKind CaptureDescription::depthKind() const {
         return depth.reversed ? REPRISE_DEPTH_REVERSED_INFINITE : REPRISE_DEPTH_DEVICE_INFINITE;
       }
       return depth.reversed ? REPRISE_DEPTH_DEVICE_REVERSED : REPRISE_DEPTH_DEVICE;
-    case CaptureDepth::kOrthographic: return REPRISE_DEPTH_ORTHOGRAPHIC;
-    default: return REPRISE_DEPTH_PLANAR;
+    case CaptureDepth::kOrthographic:
+      return REPRISE_DEPTH_ORTHOGRAPHIC;
+    default:
+      return REPRISE_DEPTH_PLANAR;
   }
 }
 
@@ -231,7 +233,8 @@ std::string descriptionText(const CaptureDescription& d) {
   json["extent"] = {d.extent.width, d.extent.height};
   json["frame_rate"] = d.frame_rate;
   json["color"] = {{"layer", d.color_layer}, {"space", "linear-rec709"}};
-  json["depth"] = {{"channel", d.depth.channel}, {"kind", kDepthKinds[static_cast<size_t>(d.depth.kind)]}};
+  json["depth"] = {{"channel", d.depth.channel},
+                   {"kind", kDepthKinds[static_cast<size_t>(d.depth.kind)]}};
   if (d.depth.kind == CaptureDepth::kDevice) {
     json["depth"]["reversed"] = d.depth.reversed;
     json["depth"]["infinite"] = d.depth.infinite;

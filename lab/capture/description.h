@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// capture.json: what a captured sequence holds and by which conventions. docs/capture.md lists every
-// key; a key that is not listed there is an error.
+// capture.json: what a captured sequence holds and by which conventions. docs/capture.md lists
+// every key; a key that is not listed there is an error.
 #pragma once
 
 #include <array>
@@ -58,8 +58,8 @@ struct CaptureDescription {
     bool includes_jitter = false;
     bool background_is_zero = false;  // background motion is missing: it comes from the cameras
   } motion;
-  std::string reactive_channel;  // "": none
-  std::string id_channel;        // "": none
+  std::string reactive_channel;    // "": none
+  std::string id_channel;          // "": none
   uint32_t reference_samples = 0;  // 0: no references
   std::string reference_filter = "box";
   std::string plan;  // the technique that it was sampled for, with its settings

@@ -56,7 +56,8 @@ TEST(Description, BadInputNamesFileAndKey) {
   } cases[] = {
       {"\"motion\":", "\"montion\":", "capture.json: motion: is missing"},
       {"\"frame_rate\": 24", "\"frame_rat\": 24", "frame_rat: unknown key; near: 'frame_rate'"},
-      {"\"kind\": \"device\"", "\"kind\": \"z\"", "depth.kind: 'z' is not one of planar, ray, device"},
+      {"\"kind\": \"device\"", "\"kind\": \"z\"",
+       "depth.kind: 'z' is not one of planar, ray, device"},
       {"\"kind\": \"device\"", "\"kind\": \"ray\"", "depth.kind: reversed and infinite belong"},
       {"\"reversed\": true", "\"revered\": true", "depth.revered: unknown key; near: 'reversed'"},
       {"[0.25, -0.5]", "[1.5, 0]", "frames[0].jitter: 1.5 is outside [-1, 1] pixels (frame 1)"},
@@ -67,7 +68,8 @@ TEST(Description, BadInputNamesFileAndKey) {
       {"\"frame\": 2", "\"frame\": 1", "numbers must rise: 1 comes after 1"},
       {"\"frame\": 2", "\"frame\": 2, \"rest\": 1", "frames[1].rest: unknown key; near: 'reset'"},
       {"\"reset\": true", "\"reset\": 1", "frames[0].reset: must be true or false"},
-      {"[\"motion.X\", \"motion.Y\"]", "[\"motion.X\"]", "motion.channels: must be two channel names"},
+      {"[\"motion.X\", \"motion.Y\"]", "[\"motion.X\"]",
+       "motion.channels: must be two channel names"},
       {"\"frame_rate\": 24,", "\"frame_rate\": 24", "line 3: is no valid JSON"},
       {"{\"layer\": \"color\"}", "3", "color: must be an object"},
   };

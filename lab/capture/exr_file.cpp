@@ -21,7 +21,9 @@
 namespace reprise::lab {
 namespace {
 
-size_t texelSize(ExrType type) { return type == ExrType::kHalf ? 2 : 4; }
+size_t texelSize(ExrType type) {
+  return type == ExrType::kHalf ? 2 : 4;
+}
 
 ExrType fromImf(Imf::PixelType type) {
   return type == Imf::UINT ? ExrType::kUint : type == Imf::HALF ? ExrType::kHalf : ExrType::kFloat;
@@ -137,8 +139,12 @@ ExrChannel* ExrImage::find(std::string_view name) {
   return const_cast<ExrChannel*>(std::as_const(*this).find(name));
 }
 
-ExrImage readExr(const std::filesystem::path& path) { return read(path, true); }
-ExrImage readExrHeader(const std::filesystem::path& path) { return read(path, false); }
+ExrImage readExr(const std::filesystem::path& path) {
+  return read(path, true);
+}
+ExrImage readExrHeader(const std::filesystem::path& path) {
+  return read(path, false);
+}
 
 void writeExr(const std::filesystem::path& path, const ExrImage& image) {
   const int width = static_cast<int>(image.width);

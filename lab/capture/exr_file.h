@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// OpenEXR scanline and tiled files, first part, every channel in its own type. Attributes that we do
-// not know are carried along, so that a filtered frame keeps what its renderer wrote.
+// OpenEXR scanline and tiled files, first part, every channel in its own type. Attributes that we
+// do not know are carried along, so that a filtered frame keeps what its renderer wrote.
 #pragma once
 
 #include <cstdint>

@@ -59,8 +59,12 @@ TEST(Exr, EveryTypeComesBackBitForBit) {
 
 TEST(Exr, SpecialValuesSurvive) {
   const TemporaryDirectory directory;
-  const std::vector<float> values{0.0f, -0.0f, std::numeric_limits<float>::infinity(),
-                                  std::numeric_limits<float>::quiet_NaN(), 65504.0f, 6.0e-8f};
+  const std::vector<float> values{0.0f,
+                                  -0.0f,
+                                  std::numeric_limits<float>::infinity(),
+                                  std::numeric_limits<float>::quiet_NaN(),
+                                  65504.0f,
+                                  6.0e-8f};
   ExrImage image{6, 1, {}, nullptr};
   image.channels.push_back(exrChannel("R", ExrType::kHalf, values));
   writeExr(directory.path() / "a.exr", image);
@@ -75,7 +79,8 @@ TEST(Exr, SpecialValuesSurvive) {
 TEST(Exr, DamageIsOneLineThatNamesTheFile) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "a.exr";
-  EXPECT_NE(errorOf([&] { readExr(path); }).find("a.exr: there is no such file"), std::string::npos);
+  EXPECT_NE(errorOf([&] { readExr(path); }).find("a.exr: there is no such file"),
+            std::string::npos);
   writeExr(path, sampleImage(64, 64));
   const std::string whole = readWholeFile(path);
   for (size_t size : {size_t{0}, size_t{3}, size_t{100}, whole.size() / 2, whole.size() - 10}) {

@@ -27,10 +27,18 @@ std::string damaged(std::string bytes, std::mt19937& random) {
   for (int i = 0; i < hits && !bytes.empty(); ++i) {
     const size_t at = random() % bytes.size();
     switch (random() % 4) {
-      case 0: bytes[at] = static_cast<char>(random()); break;
-      case 1: bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8)); break;
-      case 2: bytes.erase(at, 1 + random() % 8); break;
-      default: bytes.insert(at, 1 + random() % 8, static_cast<char>(random())); break;
+      case 0:
+        bytes[at] = static_cast<char>(random());
+        break;
+      case 1:
+        bytes[at] = static_cast<char>(bytes[at] ^ (1 << random() % 8));
+        break;
+      case 2:
+        bytes.erase(at, 1 + random() % 8);
+        break;
+      default:
+        bytes.insert(at, 1 + random() % 8, static_cast<char>(random()));
+        break;
     }
   }
   return bytes;

@@ -42,7 +42,8 @@ std::optional<std::array<float, 2>> FarMotion::at(double x_px, double y_px) cons
                          (1.0 - 2.0 * y_px / height_ + current_[3]) / current_[2], -1.0};
   double then[3];
   for (size_t r = 0; r < 3; ++r) {
-    then[r] = rotation_[3 * r] * ray[0] + rotation_[3 * r + 1] * ray[1] + rotation_[3 * r + 2] * ray[2];
+    then[r] =
+        rotation_[3 * r] * ray[0] + rotation_[3 * r + 1] * ray[1] + rotation_[3 * r + 2] * ray[2];
   }
   if (then[2] >= 0.0) return std::nullopt;
   const double ndc_x = (previous_[0] * then[0] + previous_[1] * then[2]) / -then[2];

@@ -47,10 +47,10 @@ void findFrames(const std::filesystem::path& directory, CaptureDescription& desc
                        "holds no capture.json and no numbered EXR files (NAME0001.exr ...)");
   }
   if (sequences.size() > 1) {
-    throw CaptureError(directory.string(), "",
-                       fmt::format("holds {} sequences ('{}' and '{}'): give one a directory",
-                                   sequences.size(), sequences.begin()->first,
-                                   std::next(sequences.begin())->first));
+    throw CaptureError(
+        directory.string(), "",
+        fmt::format("holds {} sequences ('{}' and '{}'): give one a directory", sequences.size(),
+                    sequences.begin()->first, std::next(sequences.begin())->first));
   }
   auto& [prefix, files] = *sequences.begin();
   std::sort(files.begin(), files.end(),
@@ -79,7 +79,8 @@ std::string oneOf(const ExrImage& image, const std::string& file, const char* wh
   for (const std::string& name : names) {
     if (image.find(name) != nullptr) return name;
   }
-  throw CaptureError(file, what, fmt::format("no such channel (looked for {})", fmt::join(names, ", ")));
+  throw CaptureError(file, what,
+                     fmt::format("no such channel (looked for {})", fmt::join(names, ", ")));
 }
 
 void describeBlender(const ExrImage& image, const std::string& file, DetectedCapture& detected) {
@@ -113,8 +114,9 @@ void describeEngine(const std::filesystem::path& path, const ExrImage& image,
   d.color_layer = red == "R" ? "" : red.substr(0, red.size() - 2);
   d.depth.channel = oneOf(image, file, "depth",
                           {"depth.Z", "Depth.Z", "Z", "depth.R", "depth.Y", "depth", "Depth"});
-  const std::string x = oneOf(image, file, "motion", {"motion.X", "Motion.X", "velocity.X",
-                                                      "motion.R", "velocity.R", "motion.U"});
+  const std::string x =
+      oneOf(image, file, "motion",
+            {"motion.X", "Motion.X", "velocity.X", "motion.R", "velocity.R", "motion.U"});
   const std::string layer = x.substr(0, x.size() - 1);
   const char other = x.back() == 'X' ? 'Y' : x.back() == 'R' ? 'G' : 'V';
   d.motion.channels = {x, oneOf(image, file, "motion", {layer + other})};
@@ -122,16 +124,17 @@ void describeEngine(const std::filesystem::path& path, const ExrImage& image,
   if (image.find("id.X") != nullptr) d.id_channel = "id.X";
 
   const std::vector<float> depth = readExr(path).find(d.depth.channel)->floats();
-  const bool device = std::all_of(depth.begin(), depth.end(),
-                                  [](float z) { return z >= 0.0f && z <= 1.0f; });
+  const bool device =
+      std::all_of(depth.begin(), depth.end(), [](float z) { return z >= 0.0f && z <= 1.0f; });
   if (device) {
     d.depth.kind = CaptureDepth::kDevice;
     d.depth.reversed = true;
     d.depth.infinite = true;
   }
   detected.assumptions = {
-      device ? "depth lies in [0, 1]: taken as device depth, reversed, far plane at infinity, near 0.1"
-             : "depth exceeds 1: taken as planar view depth",
+      device
+          ? "depth lies in [0, 1]: taken as device depth, reversed, far plane at infinity, near 0.1"
+          : "depth exceeds 1: taken as planar view depth",
       "motion is taken as pixels to the previous frame, y down, without jitter",
       "jitter is not known and taken as 0: without jittered samples still edges stay aliased"};
 }

@@ -20,7 +20,8 @@ void writeOutputFile(const std::filesystem::path& path, std::string_view bytes) 
   const auto fail = [&](int error) {
     if (file >= 0) close(file);
     unlink(temporary.c_str());
-    throw CaptureError(path.string(), "", std::string("cannot be written: ") + std::strerror(error));
+    throw CaptureError(path.string(), "",
+                       std::string("cannot be written: ") + std::strerror(error));
   };
   if (file < 0) fail(errno);
   while (!bytes.empty()) {
@@ -33,7 +34,8 @@ void writeOutputFile(const std::filesystem::path& path, std::string_view bytes) 
   if (close(file) != 0 || rename(temporary.c_str(), path.c_str()) != 0) {
     const int error = errno;
     unlink(temporary.c_str());
-    throw CaptureError(path.string(), "", std::string("cannot be written: ") + std::strerror(error));
+    throw CaptureError(path.string(), "",
+                       std::string("cannot be written: ") + std::strerror(error));
   }
 }
 

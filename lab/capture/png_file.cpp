@@ -26,7 +26,8 @@ std::string encodePng(const FloatImage& display) {
   image.format = PNG_FORMAT_RGB;
   png_alloc_size_t size = 0;
   std::string bytes;
-  const bool sized = png_image_write_to_memory(&image, nullptr, &size, 0, texels.data(), 0, nullptr);
+  const bool sized =
+      png_image_write_to_memory(&image, nullptr, &size, 0, texels.data(), 0, nullptr);
   if (sized) bytes.resize(size);
   if (!sized ||
       !png_image_write_to_memory(&image, bytes.data(), &size, 0, texels.data(), 0, nullptr)) {

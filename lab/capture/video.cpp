@@ -23,11 +23,29 @@ Video::Video(std::filesystem::path path, uint32_t width, uint32_t height, double
     : path_(std::move(path)), temporary_(path_) {
   temporary_.replace_extension(".part" + path_.extension().string());
   // yuv420p, which every player shows, needs even sides.
-  std::vector<std::string> arguments{
-      "ffmpeg", "-y", "-loglevel", "error", "-f", "rawvideo", "-pix_fmt", "rgb24",
-      "-video_size", fmt::format("{}x{}", width, height), "-framerate", fmt::format("{}", frame_rate),
-      "-i", "-", "-vf", "pad=ceil(iw/2)*2:ceil(ih/2)*2", "-c:v", "libx264", "-crf", "12",
-      "-pix_fmt", "yuv420p", temporary_.string()};
+  std::vector<std::string> arguments{"ffmpeg",
+                                     "-y",
+                                     "-loglevel",
+                                     "error",
+                                     "-f",
+                                     "rawvideo",
+                                     "-pix_fmt",
+                                     "rgb24",
+                                     "-video_size",
+                                     fmt::format("{}x{}", width, height),
+                                     "-framerate",
+                                     fmt::format("{}", frame_rate),
+                                     "-i",
+                                     "-",
+                                     "-vf",
+                                     "pad=ceil(iw/2)*2:ceil(ih/2)*2",
+                                     "-c:v",
+                                     "libx264",
+                                     "-crf",
+                                     "12",
+                                     "-pix_fmt",
+                                     "yuv420p",
+                                     temporary_.string()};
   std::vector<char*> pointers;
   for (std::string& argument : arguments) pointers.push_back(argument.data());
   pointers.push_back(nullptr);

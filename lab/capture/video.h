@@ -9,8 +9,8 @@
 
 namespace reprise::lab {
 
-// An H.264 film through ffmpeg: frames go to its standard input, and the file appears under its name
-// when finish() has returned.
+// An H.264 film through ffmpeg: frames go to its standard input, and the file appears under its
+// name when finish() has returned.
 class Video {
  public:
   // Throws CaptureError when ffmpeg cannot be started.

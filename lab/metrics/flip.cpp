@@ -72,12 +72,13 @@ struct Triple {
   float a, b, c;
 };
 
-// Of the FLIP paper's code: sRGB primaries and white as fractions, and their inverse in decimals; rows.
+// Of the FLIP paper's code: sRGB primaries and white as fractions, and their inverse in decimals;
+// rows.
 Triple xyzFromLinear(float r, float g, float b) {
-  return {10135552.0f / 24577794.0f * r + 8788810.0f / 24577794.0f * g + 4435075.0f / 24577794.0f * b,
-          2613072.0f / 12288897.0f * r + 8788810.0f / 12288897.0f * g + 887015.0f / 12288897.0f * b,
-          1425312.0f / 73733382.0f * r + 8788810.0f / 73733382.0f * g +
-              70074185.0f / 73733382.0f * b};
+  return {
+      10135552.0f / 24577794.0f * r + 8788810.0f / 24577794.0f * g + 4435075.0f / 24577794.0f * b,
+      2613072.0f / 12288897.0f * r + 8788810.0f / 12288897.0f * g + 887015.0f / 12288897.0f * b,
+      1425312.0f / 73733382.0f * r + 8788810.0f / 73733382.0f * g + 70074185.0f / 73733382.0f * b};
 }
 Triple linearFromXyz(float x, float y, float z) {
   return {3.241003275f * x - 1.537398934f * y - 0.498615861f * z,
@@ -110,8 +111,7 @@ float colorDistance(const Triple& p, const Triple& q) {
 
 // Distances up to pccmax = 0.4 cmax use 0.95 of the range.
 float redistributed(float distance) {
-  static const float largest =
-      colorDistance(huntLab(0.0f, 1.0f, 0.0f), huntLab(0.0f, 0.0f, 1.0f));
+  static const float largest = colorDistance(huntLab(0.0f, 1.0f, 0.0f), huntLab(0.0f, 0.0f, 1.0f));
   const float knee = 0.4f * largest;
   if (distance < knee) return distance * 0.95f / knee;
   return 0.95f + 0.05f * (distance - knee) / (largest - knee);
@@ -139,8 +139,8 @@ ContrastKernels contrastKernels(float pixels_per_degree) {
   const auto scale = [](Kernel& kernel, double factor) {
     for (float& tap : kernel.taps) tap = static_cast<float>(tap * factor);
   };
-  ContrastKernels kernels{gaussian(1.0, 0.0047), gaussian(1.0, 0.0053),
-                          {gaussian(34.1, 0.04), gaussian(13.5, 0.025)}};
+  ContrastKernels kernels{
+      gaussian(1.0, 0.0047), gaussian(1.0, 0.0053), {gaussian(34.1, 0.04), gaussian(13.5, 0.025)}};
   scale(kernels.achromatic, 1.0 / sum(kernels.achromatic));
   scale(kernels.red_green, 1.0 / sum(kernels.red_green));
   const double both = 1.0 / std::hypot(sum(kernels.blue_yellow[0]), sum(kernels.blue_yellow[1]));
@@ -160,9 +160,8 @@ Seen seen(const FloatImage& image, const ContrastKernels& kernels, Shape shape) 
   Seen result{std::vector<Triple>(count), Plane(count)};
   for (size_t i = 0; i < count; ++i) {
     const float* rgb = &image.texels[image.channels * i];
-    const Triple xyz =
-        xyzFromLinear(std::clamp(rgb[0], 0.0f, 1.0f), std::clamp(rgb[1], 0.0f, 1.0f),
-                      std::clamp(rgb[2], 0.0f, 1.0f));
+    const Triple xyz = xyzFromLinear(std::clamp(rgb[0], 0.0f, 1.0f), std::clamp(rgb[1], 0.0f, 1.0f),
+                                     std::clamp(rgb[2], 0.0f, 1.0f));
     const float x = xyz.a / kWhite.a;
     const float y = xyz.b / kWhite.b;
     const float z = xyz.c / kWhite.c;
@@ -173,8 +172,7 @@ Seen seen(const FloatImage& image, const ContrastKernels& kernels, Shape shape) 
   }
   luma = separable(luma, kernels.achromatic, kernels.achromatic, shape);
   red_green = separable(red_green, kernels.red_green, kernels.red_green, shape);
-  const Plane wide =
-      separable(blue_yellow, kernels.blue_yellow[0], kernels.blue_yellow[0], shape);
+  const Plane wide = separable(blue_yellow, kernels.blue_yellow[0], kernels.blue_yellow[0], shape);
   const Plane narrow =
       separable(blue_yellow, kernels.blue_yellow[1], kernels.blue_yellow[1], shape);
   for (size_t i = 0; i < count; ++i) {

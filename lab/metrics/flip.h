@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// FLIP, Andersson et al. 2020, for low and (2021) high dynamic range. Checked against figures of the
-// authors' implementation in flip_test.cpp.
+// FLIP, Andersson et al. 2020, for low and (2021) high dynamic range. Checked against figures of
+// the authors' implementation in flip_test.cpp.
 #pragma once
 
 #include "lab/float_image.h"
@@ -21,7 +21,7 @@ double meanOf(const FloatImage& one_channel);
 enum class HdrTonemapper { kAces, kHable, kReinhard };
 
 struct HdrFlip {
-  FloatImage error;  // largest over the exposures
+  FloatImage error;             // largest over the exposures
   float first_exposure = 0.0f;  // log2
   float last_exposure = 0.0f;
   uint32_t exposures = 0;

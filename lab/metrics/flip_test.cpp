@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Figures printed by the authors' C++ implementation (NVlabs/flip, commit 1eb247c) for images that are
-// formulas. Tolerance 1e-4: a double-precision evaluation of the same equations differs by up to 6e-5.
+// Figures printed by the authors' C++ implementation (NVlabs/flip, commit 1eb247c) for images that
+// are formulas. Tolerance 1e-4: a double-precision evaluation of the same equations differs by up
+// to 6e-5.
 #include "lab/metrics/flip.h"
 
 #include <gtest/gtest.h>
@@ -76,7 +77,8 @@ const std::vector<Case>& cases() {
     };
   };
   static const std::vector<Case> all{
-      {"1", 16, 16, half, flat(0.6f, 0.6f, 0.6f), kDefaultPpd, .196255, .196255, .196255, .196255, .196255},
+      {"1", 16, 16, half, flat(0.6f, 0.6f, 0.6f), kDefaultPpd, .196255, .196255, .196255, .196255,
+       .196255},
       {"2", 16, 16, black, flat(1, 1, 1), kDefaultPpd, .967388, .967388, .967388, .967388, .967388},
       {"3", 16, 16, flat(0, 1, 0), flat(0, 0, 1), kDefaultPpd, 1.0},
       {"4", 16, 16, flat(1, 0, 0), flat(0, 1, 1), kDefaultPpd, .979911},
@@ -92,7 +94,8 @@ const std::vector<Case>& cases() {
       {"10", 64, 48, checker, half, kDefaultPpd, .005010, .515740, .001040, .001040, .515740},
       {"10b", 64, 48, checker, half, 30.0f, .385587, .813576, .417986, .334526, .813576},
       {"10c", 64, 48, checker, half, 20.0f, .778607, .984652, .961109, .587264, .984652},
-      {"11", 64, 48, plane(.25f), plane(.5f), kDefaultPpd, .482331, .530277, .491312, .494773, .434713},
+      {"11", 64, 48, plane(.25f), plane(.5f), kDefaultPpd, .482331, .530277, .491312, .494773,
+       .434713},
   };
   return all;
 }
@@ -108,7 +111,8 @@ TEST(Flip, AuthorsFigures) {
     const uint32_t w = error.width / 2;
     const uint32_t h = error.height / 2;
     if (c.largest >= 0.0) {
-      EXPECT_NEAR(*std::max_element(error.texels.begin(), error.texels.end()), c.largest, tolerance);
+      EXPECT_NEAR(*std::max_element(error.texels.begin(), error.texels.end()), c.largest,
+                  tolerance);
       EXPECT_NEAR(*error.at(w, h), c.centre, tolerance);
       EXPECT_NEAR(*error.at(w - 3, h + 2), c.beside, tolerance);
       EXPECT_NEAR(*error.at(0, 0), c.corner, tolerance);
@@ -156,8 +160,8 @@ TEST(HdrFlip, AuthorsFigures) {
     EXPECT_NEAR(b.first_exposure, c.first, 1.0e-4);
     EXPECT_NEAR(b.last_exposure, c.last, 1.0e-4);
     EXPECT_NEAR(meanOf(b.error), c.brighter, kTolerance);
-    EXPECT_NEAR(*std::max_element(b.error.texels.begin(), b.error.texels.end()),
-                c.brighter_largest, 5.0e-4);
+    EXPECT_NEAR(*std::max_element(b.error.texels.begin(), b.error.texels.end()), c.brighter_largest,
+                5.0e-4);
     const HdrFlip f = hdrFlip(reference, firefly, kDefaultPpd, c.tonemapper);
     EXPECT_NEAR(meanOf(f.error), c.firefly, kTolerance);
     EXPECT_NEAR(*std::max_element(f.error.texels.begin(), f.error.texels.end()), c.firefly_largest,

@@ -21,9 +21,12 @@ constexpr double kExposureTarget = 0.85;
 
 const Tonemap& coefficients(HdrTonemapper tonemapper) {
   switch (tonemapper) {
-    case HdrTonemapper::kHable: return kHable;
-    case HdrTonemapper::kReinhard: return kReinhard;
-    default: return kAces;
+    case HdrTonemapper::kHable:
+      return kHable;
+    case HdrTonemapper::kReinhard:
+      return kReinhard;
+    default:
+      return kAces;
   }
 }
 

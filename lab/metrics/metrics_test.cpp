@@ -31,8 +31,14 @@ FloatImage greyImage(uint32_t width, uint32_t height,
 
 TEST(DisplaySpace, ValuesByHand) {
   FloatImage linear(2, 1, 4);
-  linear.texels = {1.0f, 0.0f, 3.0f, 7.0f, -2.0f, std::numeric_limits<float>::quiet_NaN(),
-                   std::numeric_limits<float>::infinity(), 0.0f};
+  linear.texels = {1.0f,
+                   0.0f,
+                   3.0f,
+                   7.0f,
+                   -2.0f,
+                   std::numeric_limits<float>::quiet_NaN(),
+                   std::numeric_limits<float>::infinity(),
+                   0.0f};
   const FloatImage display = displayImage(linear);
   ASSERT_EQ(display.channels, 3u);
   EXPECT_NEAR(display.texels[0], std::pow(0.5, 1.0 / 2.2), 1e-6);
@@ -68,12 +74,12 @@ TEST(Psnr, TemporalErrorSeesFlickerAndNoBias) {
 // The pairs of ssim_oracle.py.
 std::vector<std::pair<FloatImage, FloatImage>> ssimPairs() {
   const auto image = [](const std::function<double(int, int)>& f) { return greyImage(64, 48, f); };
-  return {{image([](int x, int) { return x / 63.0; }),
-           image([](int x, int) { return (x / 8) / 7.0; })},
-          {image([](int x, int y) { return ((7 * x + 13 * y) % 256) / 255.0; }),
-           image([](int x, int y) { return ((7 * (x + 1) + 13 * y) % 256) / 255.0; })},
-          {image([](int x, int) { return x >= 32 ? 1.0 : 0.0; }),
-           image([](int x, int) { return x >= 33 ? 0.9 : 0.1; })}};
+  return {
+      {image([](int x, int) { return x / 63.0; }), image([](int x, int) { return (x / 8) / 7.0; })},
+      {image([](int x, int y) { return ((7 * x + 13 * y) % 256) / 255.0; }),
+       image([](int x, int y) { return ((7 * (x + 1) + 13 * y) % 256) / 255.0; })},
+      {image([](int x, int) { return x >= 32 ? 1.0 : 0.0; }),
+       image([](int x, int) { return x >= 33 ? 0.9 : 0.1; })}};
 }
 
 TEST(Ssim, FiguresOfScikitImage) {
@@ -124,7 +130,10 @@ TEST(Workers, EachIndexOnceAndExceptionsComeBack) {
   std::vector<std::atomic<int>> seen(1000);
   onWorkers(seen.size(), [&](size_t i) { ++seen[i]; });
   for (const auto& count : seen) ASSERT_EQ(count, 1);
-  EXPECT_THROW(onWorkers(50, [](size_t i) { if (i == 17) throw std::runtime_error("17"); }),
+  EXPECT_THROW(onWorkers(50,
+                         [](size_t i) {
+                           if (i == 17) throw std::runtime_error("17");
+                         }),
                std::runtime_error);
 }
 

@@ -12,9 +12,8 @@ constexpr double kMaxPsnr_db = 200.0;
 double meanSquaredError(const FloatImage& reference, const FloatImage& test);
 // 10 log10(1 / mse): values in [0, 1].
 double psnrDb(double mean_squared_error);
-// Mean of ((test - previous test) - (reference - previous reference))^2: flicker, whatever moves, and
-// no static bias. Its psnrDb is the
-// "temporal-difference PSNR" of the reports.
+// Mean of ((test - previous test) - (reference - previous reference))^2: flicker, whatever moves,
+// and no static bias. Its psnrDb is the "temporal-difference PSNR" of the reports.
 double temporalSquaredError(const FloatImage& reference, const FloatImage& previous_reference,
                             const FloatImage& test, const FloatImage& previous_test);
 

@@ -78,8 +78,7 @@ SequenceFigures measureSequence(const std::vector<FloatImage>& references,
     const FloatImage reference_light = tonemappedImage(references[i]);
     const FloatImage test_light = tonemappedImage(images[i]);
     frame.flip = meanOf(flipErrorMap(reference_light, test_light, kFlipPixelsPerDegree));
-    const FloatImage error =
-        flipErrorMap(reference_light, test_light, kFlipNearPixelsPerDegree);
+    const FloatImage error = flipErrorMap(reference_light, test_light, kFlipNearPixelsPerDegree);
     frame.flip30 = meanOf(error);
     if (on_error_map) on_error_map(i, error);
     frame.tpsnr = std::numeric_limits<double>::quiet_NaN();

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Frames and references in, figures out: per frame, and their means over all counted frames, the still
-// and the moving ones.
+// Frames and references in, figures out: per frame, and their means over all counted frames, the
+// still and the moving ones.
 #pragma once
 
 #include <cstdint>
@@ -33,7 +33,7 @@ struct FrameFigures {
 
 struct MeanFigures {
   uint32_t frames = 0;
-  double psnr = 0.0;    // mean of the frames' dB
+  double psnr = 0.0;          // mean of the frames' dB
   double psnr_of_mean = 0.0;  // dB of the frames' mean squared error
   double ssim = 0.0;
   double flip = 0.0;
@@ -47,8 +47,8 @@ struct SequenceFigures {
   std::optional<MeanFigures> mean, still, moving;  // absent without a counted frame of the kind
 };
 
-// `references` and `images` linear, RGB or RGBA, a frame each; median_motion_px likewise. Works on all
-// threads of the machine. `on_error_map`, where given, gets each frame's FLIP error map at
+// `references` and `images` linear, RGB or RGBA, a frame each; median_motion_px likewise. Works on
+// all threads of the machine. `on_error_map`, where given, gets each frame's FLIP error map at
 // kFlipNearPixelsPerDegree, from any thread.
 using ErrorMapHandler = std::function<void(size_t frame, const FloatImage& error)>;
 SequenceFigures measureSequence(const std::vector<FloatImage>& references,

@@ -10,7 +10,9 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(binding = 0) uniform sampler2D sum_image;
 layout(binding = 1) writeonly uniform image2D color_image;
-layout(push_constant) uniform Push { FinishConstants push; };
+layout(push_constant) uniform Push {
+  FinishConstants push;
+};
 
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);

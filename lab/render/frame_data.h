@@ -1,14 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// What the lab's shaders read, in GLSL and C++. GpuFrame is a std140 uniform block: CPU drivers load
-// uniform data once for many pixels, storage buffers pixel by pixel. The rest is std430.
+// What the lab's shaders read, in GLSL and C++. GpuFrame is a std140 uniform block: CPU drivers
+// load uniform data once for many pixels, storage buffers pixel by pixel. The rest is std430.
 #ifndef REPRISE_LAB_FRAME_DATA_H
 #define REPRISE_LAB_FRAME_DATA_H
 
 #ifdef __cplusplus
-#include <glm/glm.hpp>
-
 #include <cstdint>
+#include <glm/glm.hpp>
 namespace reprise::lab {
 using glm::mat4;
 using glm::vec2;

@@ -11,7 +11,9 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(binding = 4) uniform samplerBuffer previous_world_texels;
 layout(binding = 5) writeonly uniform image2D motion_image;
-layout(push_constant) uniform Push { MotionConstants push; };
+layout(push_constant) uniform Push {
+  MotionConstants push;
+};
 
 // Both positions come from the same arithmetic, not from the pixel's own coordinates: what did not
 // move has a motion of exactly 0.
@@ -30,8 +32,8 @@ void main() {
     vec3 p0 = positionU(triangle.x).xyz;
     vec3 p1 = positionU(triangle.y).xyz;
     vec3 p2 = positionU(triangle.z).xyz;
-    vec3 b = barycentricsAt(clipFromWorld(p0, 0u), clipFromWorld(p1, 0u), clipFromWorld(p2, 0u),
-                            ndc).b;
+    vec3 b =
+        barycentricsAt(clipFromWorld(p0, 0u), clipFromWorld(p1, 0u), clipFromWorld(p2, 0u), ndc).b;
     vec3 now_world = interpolate(b, p0, p1, p2);
     vec3 then_world = interpolate(b, texelFetch(previous_world_texels, int(triangle.x)).xyz,
                                   texelFetch(previous_world_texels, int(triangle.y)).xyz,

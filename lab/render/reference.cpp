@@ -49,8 +49,8 @@ eq::vec2 referenceJitter(uint32_t index, uint32_t half, ReferenceFilter filter) 
 double displayPsnr(const FloatImage& a, float a_scale, const FloatImage& b, float b_scale) {
   double sum = 0.0;
   for (size_t i = 0; i < a.texels.size(); ++i) {
-    const double d = eq::displayFromLinear(a.texels[i] * a_scale) -
-                     eq::displayFromLinear(b.texels[i] * b_scale);
+    const double d =
+        eq::displayFromLinear(a.texels[i] * a_scale) - eq::displayFromLinear(b.texels[i] * b_scale);
     sum += d * d;
   }
   const double mse = sum / static_cast<double>(a.texels.size());

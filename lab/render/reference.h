@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Many-sample references of a scene's frames, kept on disk under a hash of everything that determines
-// them, and extended when more samples are asked for.
+// Many-sample references of a scene's frames, kept on disk under a hash of everything that
+// determines them, and extended when more samples are asked for.
 #pragma once
 
 #include <filesystem>
@@ -33,9 +33,9 @@ class ReferenceStore {
   // scrambling, all at the same instant. From the cache where it has enough samples.
   FloatImage reference(uint32_t index);
 
-  // PSNR in dB of one half of the samples against the other, in display space, of the last reference:
-  // the noise floor is 6 dB above it (each half has twice the variance of the whole, their difference
-  // four times).
+  // PSNR in dB of one half of the samples against the other, in display space, of the last
+  // reference: the noise floor is 6 dB above it (each half has twice the variance of the whole,
+  // their difference four times).
   double halfAgainstHalfDb() const { return half_against_half_db_; }
   uint64_t samplesRendered() const { return samples_rendered_; }
   uint32_t samples() const { return options_.samples; }

@@ -1,10 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "lab/render/renderer.h"
 
-#include <glm/gtc/matrix_transform.hpp>
-
 #include <algorithm>
 #include <cstring>
+#include <glm/gtc/matrix_transform.hpp>
 
 namespace reprise::lab {
 namespace {
@@ -45,7 +44,8 @@ void append(std::vector<uint8_t>& bytes, const T* data, size_t count) {
   bytes.insert(bytes.end(), begin, begin + count * sizeof(T));
 }
 
-// Reversed depth with the far plane at infinity, Vulkan clip space (y down): depth = near / view_depth.
+// Reversed depth with the far plane at infinity, Vulkan clip space (y down): depth = near /
+// view_depth.
 glm::mat4 projection(float vertical_fov, float aspect, float near_plane) {
   const float scale = 1.0f / std::tan(0.5f * vertical_fov);
   glm::mat4 p(0.0f);
@@ -112,36 +112,35 @@ ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) con
   const std::vector<GpuMaterial>& materials = scene_->geometry().materials;
   for (const GpuMaterial& material : materials) kinds |= 1u << material.kind;
   const auto only_kind = materials.size() == 1 ? materials[0].kind : ~0u;
-  return ComputeProgram(
-      device, {.name = "shade",
-               .spirv = kShadeShader,
-               .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer, kStored, kStored,
-                            kStorageBuffer},
-               .push_bytes = sizeof(ShadeConstants),
-               .specialization = {kinds, accumulate ? 1u : 0u, only_kind}});
+  return ComputeProgram(device, {.name = "shade",
+                                 .spirv = kShadeShader,
+                                 .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer,
+                                              kStored, kStored, kStorageBuffer},
+                                 .push_bytes = sizeof(ShadeConstants),
+                                 .specialization = {kinds, accumulate ? 1u : 0u, only_kind}});
 }
 
 void Renderer::createPrograms(Device& device) {
-  visibility_program_ = GraphicsProgram(
-      device, {.name = "visibility",
-               .vertex_spirv = kVisibilityVertexShader,
-               .fragment_spirv = kVisibilityFragmentShader,
-               .bindings = {kUniform, kStorageBuffer, kStorageBuffer},
-               .push_bytes = sizeof(VisibilityConstants),
-               .color_format = VK_FORMAT_R32G32_UINT});
-  transform_program_ = ComputeProgram(
-      device, {.name = "transform",
-               .spirv = kTransformShader,
-               .bindings = {kUniform, kStorageBuffer, kStorageBuffer, kStorageBuffer,
-                            kStorageBuffer, kStorageBuffer},
-               .push_bytes = sizeof(TransformConstants),
-               .specialization = {}});
-  motion_program_ = ComputeProgram(
-      device, {.name = "motion",
-               .spirv = kMotionShader,
-               .bindings = {kUniform, kTexels, kTexels, kSampled, kTexels, kStored},
-               .push_bytes = sizeof(MotionConstants),
-               .specialization = {}});
+  visibility_program_ =
+      GraphicsProgram(device, {.name = "visibility",
+                               .vertex_spirv = kVisibilityVertexShader,
+                               .fragment_spirv = kVisibilityFragmentShader,
+                               .bindings = {kUniform, kStorageBuffer, kStorageBuffer},
+                               .push_bytes = sizeof(VisibilityConstants),
+                               .color_format = VK_FORMAT_R32G32_UINT});
+  transform_program_ =
+      ComputeProgram(device, {.name = "transform",
+                              .spirv = kTransformShader,
+                              .bindings = {kUniform, kStorageBuffer, kStorageBuffer, kStorageBuffer,
+                                           kStorageBuffer, kStorageBuffer},
+                              .push_bytes = sizeof(TransformConstants),
+                              .specialization = {}});
+  motion_program_ =
+      ComputeProgram(device, {.name = "motion",
+                              .spirv = kMotionShader,
+                              .bindings = {kUniform, kTexels, kTexels, kSampled, kTexels, kStored},
+                              .push_bytes = sizeof(MotionConstants),
+                              .specialization = {}});
   shade_program_ = createShadeProgram(device, false);
   accumulate_program_ = createShadeProgram(device, true);
   mean_program_ = ComputeProgram(device, {.name = "mean",
@@ -152,8 +151,7 @@ void Renderer::createPrograms(Device& device) {
 }
 
 RepriseCamera Renderer::cameraAt(double time_s, float* near_plane) const {
-  const CameraPose pose =
-      scene_->camera(run_.camera->name, run_.values, time_s, extent_.height);
+  const CameraPose pose = scene_->camera(run_.camera->name, run_.values, time_s, extent_.height);
   const float aspect = static_cast<float>(extent_.width) / static_cast<float>(extent_.height);
   const glm::mat4 view = glm::lookAt(pose.eye_world, pose.target_world, pose.up_world);
   const glm::mat4 proj = projection(pose.vertical_fov, aspect, pose.near_plane);
@@ -208,9 +206,8 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
   visibility_program_.bind(commands);
   const std::vector<Instance>& instances = scene_->geometry().instances;
   for (uint32_t i = 0; i < instances.size(); ++i) {
-    visibility_program_.push(
-        commands, {uniform(frame_), stored(world_), stored(indices_)},
-        VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
+    visibility_program_.push(commands, {uniform(frame_), stored(world_), stored(indices_)},
+                             VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
     vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
   }
   endRendering(commands);
@@ -219,12 +216,11 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
 
 void Renderer::recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px,
                             uint32_t frames_back) const {
-  motion_program_.dispatch(commands, extent_,
-                           {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
-                            texels(previous_world_), stored(motion_)},
-                           MotionConstants{{jitter_px.x, jitter_px.y},
-                                           std::min(frames_back, kMaxFramesBack),
-                                           0});
+  motion_program_.dispatch(
+      commands, extent_,
+      {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
+       texels(previous_world_), stored(motion_)},
+      MotionConstants{{jitter_px.x, jitter_px.y}, std::min(frames_back, kMaxFramesBack), 0});
   fullBarrier(commands);
 }
 
@@ -265,7 +261,8 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
 }
 
 void Renderer::recordMean(VkCommandBuffer commands, float scale) const {
-  mean_program_.dispatch(commands, extent_, {sampled(sum_), stored(color_)}, FinishConstants{scale});
+  mean_program_.dispatch(commands, extent_, {sampled(sum_), stored(color_)},
+                         FinishConstants{scale});
   fullBarrier(commands);
 }
 

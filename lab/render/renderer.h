@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Renders one scene: a jittered visibility pass, exact motion, shading in compute at any position. All
-// images and buffers are made once; a frame records commands and writes one small buffer.
+// Renders one scene: a jittered visibility pass, exact motion, shading in compute at any position.
+// All images and buffers are made once; a frame records commands and writes one small buffer.
 #pragma once
 
 #include <cstdint>
@@ -31,8 +31,8 @@ class Renderer {
   VkExtent2D extent() const { return extent_; }
   const Scene& scene() const { return *scene_; }
 
-  // Makes frame `index` the current one: uploads cameras, transforms and lights of it and of the frames
-  // before (the sequence begins at 0: earlier ones repeat the first).
+  // Makes frame `index` the current one: uploads cameras, transforms and lights of it and of the
+  // frames before (the sequence begins at 0: earlier ones repeat the first).
   void setFrame(uint32_t index, float mip_bias);
 
   // Before every other pass of a frame: world space of all vertices, now and `frames_back` ago.
@@ -57,8 +57,8 @@ class Renderer {
   // Surface evaluations since the last call; after the recorded work has finished.
   uint64_t takeEvaluations();
 
-  // Bytes that determine what setFrame's frame looks like, for content hashes: geometry, transforms,
-  // camera, lights and shaders.
+  // Bytes that determine what setFrame's frame looks like, for content hashes: geometry,
+  // transforms, camera, lights and shaders.
   std::vector<uint8_t> contentBytes() const;
 
  private:

@@ -6,7 +6,9 @@
 #include "lab/render/frame_data.h"
 #include "lab/render/surface.glsl"
 
-layout(binding = 0, std140) uniform Frame { GpuFrame frame; };
+layout(binding = 0, std140) uniform Frame {
+  GpuFrame frame;
+};
 layout(binding = 1) uniform samplerBuffer world_texels;      // GpuVertex: two texels each
 layout(binding = 2) uniform usamplerBuffer triangle_texels;  // GpuTriangle: one texel each
 layout(binding = 3) uniform usampler2D visibility_image;
@@ -18,13 +20,19 @@ bool fetchTriangle(ivec2 px, out uvec4 triangle) {
   return visible.x != 0u;
 }
 
-vec4 positionU(uint vertex) { return texelFetch(world_texels, int(2u * vertex)); }
-vec4 normalV(uint vertex) { return texelFetch(world_texels, int(2u * vertex + 1u)); }
+vec4 positionU(uint vertex) {
+  return texelFetch(world_texels, int(2u * vertex));
+}
+vec4 normalV(uint vertex) {
+  return texelFetch(world_texels, int(2u * vertex + 1u));
+}
 
 vec4 clipFromWorld(vec3 position_world, uint frames_back) {
   return frame.view_projection[frames_back] * vec4(position_world, 1.0);
 }
 
-vec2 pxFromClip(vec4 clip) { return (clip.xy / clip.w * 0.5 + 0.5) * frame.extent_px; }
+vec2 pxFromClip(vec4 clip) {
+  return (clip.xy / clip.w * 0.5 + 0.5) * frame.extent_px;
+}
 
 #endif

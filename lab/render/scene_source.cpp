@@ -25,16 +25,16 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
       options_(options),
       renderer_(device, run, options.extent, options.frame_rate),
       references_(device, renderer_, options.reference) {
-  info_ = {.name = run.name,
-           .extent = options.extent,
-           .frame_count = options.frames,
-           .frame_rate = options.frame_rate,
-           .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
-           .context_flags = 0,
-           .plan_is_honoured = true,
-           .reference_samples = options.reference.samples,
-           .reference_filter =
-               options.reference.filter == ReferenceFilter::kBox ? "box" : "gaussian"};
+  info_ = {
+      .name = run.name,
+      .extent = options.extent,
+      .frame_count = options.frames,
+      .frame_rate = options.frame_rate,
+      .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
+      .context_flags = 0,
+      .plan_is_honoured = true,
+      .reference_samples = options.reference.samples,
+      .reference_filter = options.reference.filter == ReferenceFilter::kBox ? "box" : "gaussian"};
 }
 
 FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {
@@ -51,22 +51,20 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     renderer_.recordClearSum(commands);
     const std::vector<eq::vec2> jitters_px = stratifiedJitters(plan.grid);
     renderer_.recordAccumulate(commands, jitters_px, options_.switches, timestamps_);
-    span("mean", [&] {
-      renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size()));
-    });
+    span("mean",
+         [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }
   // Depth and motion are those of the frame's one position also where colour has many.
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
   span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
   if (plan.grid <= 1) {
     const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
-    const ShadeConstants constants{
-        .jitter_px = {jitter_px.x, jitter_px.y},
-        .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
-        .offset_on = offset ? 1u : 0u,
-        .offset_sigma_px = sampling.shading_offset_sigma_px,
-        .offset_seed = sampling.shading_offset_seed,
-        .offset_quadrant = sampling.shading_offset_quadrant};
+    const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
+                                   .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
+                                   .offset_on = offset ? 1u : 0u,
+                                   .offset_sigma_px = sampling.shading_offset_sigma_px,
+                                   .offset_seed = sampling.shading_offset_seed,
+                                   .offset_quadrant = sampling.shading_offset_quadrant};
     span("shade", [&] { renderer_.recordShade(commands, constants); });
   }
 
@@ -89,6 +87,8 @@ std::optional<FloatImage> SceneSource::reference(uint32_t index) {
   return references_.reference(index);
 }
 
-FloatImage SceneSource::motion(uint32_t) { return download(device_, renderer_.motion()); }
+FloatImage SceneSource::motion(uint32_t) {
+  return download(device_, renderer_.motion());
+}
 
 }  // namespace reprise::lab

@@ -16,8 +16,8 @@ struct SceneSourceOptions {
   ReferenceOptions reference;
 };
 
-// A live scene as a sequence of frames. Honours the plan: jitter, per-pixel shading offset, mip bias,
-// N x N grid.
+// A live scene as a sequence of frames. Honours the plan: jitter, per-pixel shading offset, mip
+// bias, N x N grid.
 class SceneSource final : public FrameSource {
  public:
   SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options);

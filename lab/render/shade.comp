@@ -20,16 +20,24 @@ layout(constant_id = 1) const uint kAccumulate = 0u;
 // The kind of a scene's only material; -1: several, looked up for each triangle.
 layout(constant_id = 2) const int kOnlyKind = -1;
 
-layout(binding = 4, std430) readonly buffer Materials { GpuMaterial materials[]; };
+layout(binding = 4, std430) readonly buffer Materials {
+  GpuMaterial materials[];
+};
 layout(binding = 5) writeonly uniform image2D color_image;
 layout(binding = 6, rgba32f) uniform image2D sum_image;
-layout(binding = 7, std430) buffer Counter { uint evaluations; };
-layout(push_constant) uniform Push { ShadeConstants push; };
+layout(binding = 7, std430) buffer Counter {
+  uint evaluations;
+};
+layout(push_constant) uniform Push {
+  ShadeConstants push;
+};
 
 // Seen where there is no surface: a dull sky, linear.
 const vec3 kBackground = vec3(0.18, 0.24, 0.33);
 
-bool occurs(uint kind) { return (kKinds & (1u << kind)) != 0u; }
+bool occurs(uint kind) {
+  return (kKinds & (1u << kind)) != 0u;
+}
 
 vec3 shadeTriangle(uvec4 triangle, vec2 sample_px) {
   vec4 position_u0 = positionU(triangle.x);

@@ -5,8 +5,9 @@
 #ifndef REPRISE_LAB_SURFACE_GLSL
 #define REPRISE_LAB_SURFACE_GLSL
 
-// Perspective-correct barycentrics at a position in NDC, and their derivatives by NDC. With clip-space
-// corners c_i = (x, y, w), the barycentrics solve  sum b_i c_i = s (ndc.x, ndc.y, 1)  for some s, so
+// Perspective-correct barycentrics at a position in NDC, and their derivatives by NDC. With
+// clip-space corners c_i = (x, y, w), the barycentrics solve  sum b_i c_i = s (ndc.x, ndc.y, 1) for
+// some s, so
 //   b_i ~ dot(cross(c_j, c_k), (ndc, 1)),
 // normalized to sum 1. Corners behind the eye need no clipping.
 struct Barycentrics {
@@ -30,7 +31,11 @@ Barycentrics barycentricsAt(vec4 clip_0, vec4 clip_1, vec4 clip_2, vec2 ndc) {
   return Barycentrics(b, (raw_dx - b * sum_dx) / sum, (raw_dy - b * sum_dy) / sum);
 }
 
-vec3 interpolate(vec3 b, vec3 a0, vec3 a1, vec3 a2) { return a0 * b.x + a1 * b.y + a2 * b.z; }
-vec2 interpolate(vec3 b, vec2 a0, vec2 a1, vec2 a2) { return a0 * b.x + a1 * b.y + a2 * b.z; }
+vec3 interpolate(vec3 b, vec3 a0, vec3 a1, vec3 a2) {
+  return a0 * b.x + a1 * b.y + a2 * b.z;
+}
+vec2 interpolate(vec3 b, vec2 a0, vec2 a1, vec2 a2) {
+  return a0 * b.x + a1 * b.y + a2 * b.z;
+}
 
 #endif

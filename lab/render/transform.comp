@@ -10,13 +10,27 @@
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
-layout(binding = 0, std140) uniform Frame { GpuFrame frame; };
-layout(binding = 1, std430) readonly buffer Vertices { GpuVertex vertices[]; };
-layout(binding = 2, std430) readonly buffer VertexInstances { uint vertex_instances[]; };
-layout(binding = 3, std430) readonly buffer Transforms { mat4 transforms[]; };
-layout(binding = 4, std430) writeonly buffer World { GpuVertex world[]; };
-layout(binding = 5, std430) writeonly buffer Previous { vec4 previous_world[]; };
-layout(push_constant) uniform Push { TransformConstants push; };
+layout(binding = 0, std140) uniform Frame {
+  GpuFrame frame;
+};
+layout(binding = 1, std430) readonly buffer Vertices {
+  GpuVertex vertices[];
+};
+layout(binding = 2, std430) readonly buffer VertexInstances {
+  uint vertex_instances[];
+};
+layout(binding = 3, std430) readonly buffer Transforms {
+  mat4 transforms[];
+};
+layout(binding = 4, std430) writeonly buffer World {
+  GpuVertex world[];
+};
+layout(binding = 5, std430) writeonly buffer Previous {
+  vec4 previous_world[];
+};
+layout(push_constant) uniform Push {
+  TransformConstants push;
+};
 
 void main() {
   uint i = gl_GlobalInvocationID.y * push.row_length + gl_GlobalInvocationID.x;

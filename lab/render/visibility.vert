@@ -4,10 +4,18 @@
 
 #include "lab/render/frame_data.h"
 
-layout(binding = 0, std140) uniform Frame { GpuFrame frame; };
-layout(binding = 1, std430) readonly buffer World { GpuVertex world[]; };
-layout(binding = 2, std430) readonly buffer Indices { uint indices[]; };
-layout(push_constant) uniform Push { VisibilityConstants push; };
+layout(binding = 0, std140) uniform Frame {
+  GpuFrame frame;
+};
+layout(binding = 1, std430) readonly buffer World {
+  GpuVertex world[];
+};
+layout(binding = 2, std430) readonly buffer Indices {
+  uint indices[];
+};
+layout(push_constant) uniform Push {
+  VisibilityConstants push;
+};
 
 // The provoking vertex is a triangle's first, so that this is the triangle's number.
 layout(location = 0) flat out uint triangle;

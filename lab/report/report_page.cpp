@@ -54,9 +54,12 @@ void replaceOnce(std::string& text, std::string_view mark, std::string_view with
 std::string escaped(std::string_view text) {
   std::string html;
   for (char c : text) {
-    if (c == '&') html += "&amp;";
-    else if (c == '<') html += "&lt;";
-    else html += c;
+    if (c == '&')
+      html += "&amp;";
+    else if (c == '<')
+      html += "&lt;";
+    else
+      html += c;
   }
   return html;
 }

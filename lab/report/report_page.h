@@ -17,11 +17,12 @@ namespace reprise::lab {
 // Images of one source, by what they show and frame. Display values, RGB.
 class ReportImages {
  public:
-  // Pictures are kept as PNG up to this many bytes; of what exceeds it, every second frame is dropped
-  // until it fits.
+  // Pictures are kept as PNG up to this many bytes; of what exceeds it, every second frame is
+  // dropped until it fits.
   explicit ReportImages(uint64_t budget_bytes) : budget_bytes_(budget_bytes) {}
 
-  // `what`: "reference" or a technique as written; `png` an 8-bit PNG. Error maps are "flip of " + technique.
+  // `what`: "reference" or a technique as written; `png` an 8-bit PNG. Error maps are "flip of " +
+  // technique.
   void add(const std::string& source, const std::string& what, uint32_t frame, std::string png);
   void fitBudget();
 
@@ -36,6 +37,7 @@ class ReportImages {
   std::map<std::string, std::map<std::string, Frames>> images_;
 };
 
-std::string reportPage(const std::string& title, const Results& results, const ReportImages& images);
+std::string reportPage(const std::string& title, const Results& results,
+                       const ReportImages& images);
 
 }  // namespace reprise::lab

@@ -36,7 +36,8 @@ TEST(ReportPage, HoldsItsDataAndCannotBeBrokenOutOf) {
   EXPECT_NE(page.find("data:image/png;base64,YWI="), std::string::npos);
   EXPECT_EQ(page.find("</script><script>alert"), std::string::npos);
   EXPECT_NE(page.find("<title>A &lt;title></title>"), std::string::npos);
-  for (const char* mark : {"@CSS@", "@DATA@", "@D3@", "@TITLE@"}) EXPECT_EQ(page.find(mark), std::string::npos);
+  for (const char* mark : {"@CSS@", "@DATA@", "@D3@", "@TITLE@"})
+    EXPECT_EQ(page.find(mark), std::string::npos);
 }
 
 }  // namespace

@@ -14,14 +14,19 @@ namespace reprise::lab {
 namespace {
 
 // JSON knows no NaN: null is "not defined here".
-OrderedJson number(double value) { return std::isfinite(value) ? OrderedJson(value) : OrderedJson(); }
+OrderedJson number(double value) {
+  return std::isfinite(value) ? OrderedJson(value) : OrderedJson();
+}
 
 OrderedJson meanJson(const std::optional<MeanFigures>& mean) {
   if (!mean.has_value()) return OrderedJson();
-  return {{"frames", mean->frames},     {"psnr", number(mean->psnr)},
+  return {{"frames", mean->frames},
+          {"psnr", number(mean->psnr)},
           {"psnr_of_mean", number(mean->psnr_of_mean)},
-          {"ssim", number(mean->ssim)}, {"flip", number(mean->flip)},
-          {"flip30", number(mean->flip30)}, {"tpsnr", number(mean->tpsnr)},
+          {"ssim", number(mean->ssim)},
+          {"flip", number(mean->flip)},
+          {"flip30", number(mean->flip30)},
+          {"tpsnr", number(mean->tpsnr)},
           {"sharpness", number(mean->sharpness)}};
 }
 
@@ -53,9 +58,10 @@ OrderedJson runJson(const RunResult& run) {
                               {"tpsnr", number(frame.tpsnr)},
                               {"sharpness", number(frame.sharpness)}});
   }
-  json["cost"] = {{"gpu_ms", {{"median", number(run.cost.median_ms)},
-                              {"passes", passesJson(run.cost.passes_ms)},
-                              {"render", passesJson(run.cost.render_ms)}}},
+  json["cost"] = {{"gpu_ms",
+                   {{"median", number(run.cost.median_ms)},
+                    {"passes", passesJson(run.cost.passes_ms)},
+                    {"render", passesJson(run.cost.render_ms)}}},
                   {"shading_evaluations_per_pixel", run.cost.shading_evaluations_per_pixel},
                   {"history_bytes", run.cost.history_bytes}};
   return json;
@@ -117,15 +123,16 @@ BaselineCheck checkBaseline(const Results& results, const std::string& baseline_
       if (candidate.source == source && candidate.technique == technique) run = &candidate;
     }
     if (run == nullptr || !run->figures.mean.has_value()) {
-      check.failures.push_back(fmt::format("{} {}: in the baseline, not compared now", source, technique));
+      check.failures.push_back(
+          fmt::format("{} {}: in the baseline, not compared now", source, technique));
       continue;
     }
     ++check.compared;
     const double drop = psnr.get<double>() - run->figures.mean->psnr;
     if (drop > max_drop_db) {
-      check.failures.push_back(fmt::format("{} {}: PSNR {:.2f} dB is {:.2f} dB below the baseline's {:.2f} dB",
-                                           source, technique, run->figures.mean->psnr, drop,
-                                           psnr.get<double>()));
+      check.failures.push_back(
+          fmt::format("{} {}: PSNR {:.2f} dB is {:.2f} dB below the baseline's {:.2f} dB", source,
+                      technique, run->figures.mean->psnr, drop, psnr.get<double>()));
     }
   }
   return check;

@@ -3,9 +3,8 @@
 // What a comparison found, and its results.json: an interface that other tools read.
 #pragma once
 
-#include <nlohmann/json.hpp>
-
 #include <cstdint>
+#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
@@ -20,14 +19,14 @@ struct RunCost {
   // Median over the counted frames in ms, in the order recorded.
   std::vector<std::pair<std::string, double>> passes_ms;  // the technique's
   std::vector<std::pair<std::string, double>> render_ms;  // the source's; empty for captures
-  double median_ms = 0.0;  // of the technique's passes together
-  double shading_evaluations_per_pixel = 0.0;  // 0: not known
+  double median_ms = 0.0;                                 // of the technique's passes together
+  double shading_evaluations_per_pixel = 0.0;             // 0: not known
   uint64_t history_bytes = 0;
 };
 
 struct RunResult {
   std::string source;
-  std::string technique;  // as written: "taa:alpha=0.05"
+  std::string technique;                                      // as written: "taa:alpha=0.05"
   std::vector<std::pair<std::string, OrderedJson>> settings;  // all that stand, by name
   uint32_t reference_samples = 0;
   std::string reference_filter;
@@ -48,7 +47,8 @@ OrderedJson resultsJson(const Results& results);
 std::string resultsCsv(const Results& results);
 
 // Runs whose mean PSNR fell below the baseline's by more than `max_drop_db`, or that it has and we
-// lack, a line each. `baseline` is a results.json; throws CaptureError naming `file` where it is none.
+// lack, a line each. `baseline` is a results.json; throws CaptureError naming `file` where it is
+// none.
 struct BaselineCheck {
   std::vector<std::string> failures;
   uint32_t compared = 0;

@@ -26,21 +26,27 @@ double figure(const std::optional<MeanFigures>& mean, double MeanFigures::*membe
 }
 
 const Column kColumns[] = {
-    {"PSNR dB", 9, 2, 1, [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::psnr); }},
-    {"still", 8, 2, 1, [](const RunResult& r) { return figure(r.figures.still, &MeanFigures::psnr); }},
+    {"PSNR dB", 9, 2, 1,
+     [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::psnr); }},
+    {"still", 8, 2, 1,
+     [](const RunResult& r) { return figure(r.figures.still, &MeanFigures::psnr); }},
     {"moving", 8, 2, 1,
      [](const RunResult& r) { return figure(r.figures.moving, &MeanFigures::psnr); }},
-    {"SSIM", 8, 4, 1, [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::ssim); }},
-    {"FLIP", 8, 4, -1, [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::flip); }},
+    {"SSIM", 8, 4, 1,
+     [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::ssim); }},
+    {"FLIP", 8, 4, -1,
+     [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::flip); }},
     {"FLIP30", 8, 4, -1,
      [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::flip30); }},
-    {"tPSNR dB", 9, 2, 1, [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::tpsnr); }},
+    {"tPSNR dB", 9, 2, 1,
+     [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::tpsnr); }},
     {"sharp", 7, 3, 0,
      [](const RunResult& r) { return figure(r.figures.mean, &MeanFigures::sharpness); }},
     {"resolve ms", 11, 2, 0, [](const RunResult& r) { return r.cost.median_ms; }},
     {"shadings/px", 12, 2, 0,
      [](const RunResult& r) {
-       return r.cost.shading_evaluations_per_pixel > 0.0 ? r.cost.shading_evaluations_per_pixel : kNone;
+       return r.cost.shading_evaluations_per_pixel > 0.0 ? r.cost.shading_evaluations_per_pixel
+                                                         : kNone;
      }},
     {"history MiB", 12, 2, 0,
      [](const RunResult& r) { return static_cast<double>(r.cost.history_bytes) / 1048576.0; }},
@@ -54,13 +60,15 @@ std::string resultsTable(const Results& results) {
   std::string table;
   for (size_t begin = 0; begin < results.runs.size();) {
     size_t end = begin;
-    while (end < results.runs.size() && results.runs[end].source == results.runs[begin].source) ++end;
+    while (end < results.runs.size() && results.runs[end].source == results.runs[begin].source)
+      ++end;
     const RunResult& first = results.runs[begin];
     table += fmt::format("{}: {} frames counted, reference {} samples ({})\n", first.source,
                          first.figures.mean ? first.figures.mean->frames : 0,
                          first.reference_samples, first.reference_filter);
     table += fmt::format("{:<{}}", "technique", name_width);
-    for (const Column& column : kColumns) table += fmt::format("{:>{}}", column.title, column.width + 1);
+    for (const Column& column : kColumns)
+      table += fmt::format("{:>{}}", column.title, column.width + 1);
     table += "\n";
     for (size_t i = begin; i < end; ++i) {
       table += fmt::format("{:<{}}", results.runs[i].technique, name_width);
@@ -70,8 +78,10 @@ std::string resultsTable(const Results& results) {
         for (size_t k = begin; k < end && best; ++k) {
           best = !(column.value(results.runs[k]) * column.better > value * column.better);
         }
-        const std::string text = std::isfinite(value) ? fmt::format("{:.{}f}", value, column.decimals) : "-";
-        table += fmt::format("{:>{}}{}", text, column.width, best && std::isfinite(value) ? "*" : " ");
+        const std::string text =
+            std::isfinite(value) ? fmt::format("{:.{}f}", value, column.decimals) : "-";
+        table +=
+            fmt::format("{:>{}}{}", text, column.width, best && std::isfinite(value) ? "*" : " ");
       }
       table += "\n";
     }

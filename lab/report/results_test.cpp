@@ -15,7 +15,8 @@ Results sampleResults() {
   Results results;
   results.command = "reprise compare";
   results.device = "device";
-  for (const auto& [technique, psnr] : {std::pair{"none", 20.0}, {"taa:alpha=0.1,clip=none", 30.0}}) {
+  for (const auto& [technique, psnr] :
+       {std::pair{"none", 20.0}, {"taa:alpha=0.1,clip=none", 30.0}}) {
     RunResult run;
     run.source = "brick/pan";
     run.technique = technique;
@@ -55,7 +56,9 @@ TEST(Results, JsonHasTheDocumentedShape) {
 
 TEST(Results, CsvQuotesNamesAndLeavesUndefinedCellsEmpty) {
   const std::string csv = resultsCsv(sampleResults());
-  EXPECT_NE(csv.find("\"brick/pan\",\"taa:alpha=0.1,clip=none\",0,0,0,30,0,0,0,,0\n"), std::string::npos) << csv;
+  EXPECT_NE(csv.find("\"brick/pan\",\"taa:alpha=0.1,clip=none\",0,0,0,30,0,0,0,,0\n"),
+            std::string::npos)
+      << csv;
 }
 
 TEST(Results, TableStarsTheBest) {

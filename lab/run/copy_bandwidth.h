@@ -5,8 +5,8 @@
 
 namespace reprise::lab {
 
-// Bytes read plus bytes written a second by vkCmdCopyBuffer between two device buffers that no cache
-// holds; best of several.
+// Bytes read plus bytes written a second by vkCmdCopyBuffer between two device buffers that no
+// cache holds; best of several.
 double measureCopyBandwidth(Device& device);
 
 }  // namespace reprise::lab

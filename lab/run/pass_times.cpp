@@ -26,8 +26,7 @@ std::vector<std::pair<std::string, double>> PassTimes::medians(size_t first_fram
   std::vector<std::pair<std::string, double>> medians;
   for (const auto& [name, ms] : passes_) {
     const size_t begin = std::min(first_frame, ms.empty() ? 0 : ms.size() - 1);
-    medians.emplace_back(
-        name, median({ms.begin() + static_cast<std::ptrdiff_t>(begin), ms.end()}));
+    medians.emplace_back(name, median({ms.begin() + static_cast<std::ptrdiff_t>(begin), ms.end()}));
   }
   return medians;
 }

@@ -7,8 +7,8 @@
 
 namespace reprise::lab {
 
-// Progress of long work on standard error: a bar with rate and time left on a terminal, a line about
-// every five seconds otherwise, nothing when quiet.
+// Progress of long work on standard error: a bar with rate and time left on a terminal, a line
+// about every five seconds otherwise, nothing when quiet.
 class Progress {
  public:
   Progress(std::string what, uint64_t steps, bool quiet);

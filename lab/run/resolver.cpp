@@ -7,7 +7,8 @@ namespace {
 // The frames of a sequence are submitted one at a time and waited for.
 constexpr uint32_t kFramesInFlight = 1;
 
-OwnedContext createContext(Device& device, const TechniqueChoice& choice, const SourceInfo& source) {
+OwnedContext createContext(Device& device, const TechniqueChoice& choice,
+                           const SourceInfo& source) {
   if (choice.grid > 1 && !source.plan_is_honoured) {
     throw UsageError("technique '" + choice.name + "' works on scenes only: '" + source.name +
                      "' was sampled when it was written");

@@ -18,12 +18,14 @@ namespace reprise::lab {
 
 class Resolver {
  public:
-  // Throws UsageError when the technique cannot work on this source, ApiError when the library fails.
+  // Throws UsageError when the technique cannot work on this source, ApiError when the library
+  // fails.
   Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source);
 
   const TechniqueChoice& choice() const { return choice_; }
   Device& device() const { return device_; }
-  // For what the lab does not do itself: resets, resizes, other settings. output() keeps its extent.
+  // For what the lab does not do itself: resets, resizes, other settings. output() keeps its
+  // extent.
   OwnedContext& context() { return context_; }
   SamplePlan plan(uint32_t frame_index) const;
   // Records the resolve of `inputs` into output(). With `timestamps`, its passes are timed by name.

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// One technique over one sequence: plan, render, resolve. Measuring is apart, so that timings are not
-// disturbed by it.
+// One technique over one sequence: plan, render, resolve. Measuring is apart, so that timings are
+// not disturbed by it.
 #pragma once
 
 #include <functional>
@@ -17,11 +17,11 @@ namespace reprise::lab {
 float medianLength(const FloatImage& motion);
 
 struct SequenceRun {
-  std::vector<FloatImage> images;         // RGBA linear, a frame each
-  std::vector<float> median_motion_px;    // of the inputs, |motion|, a frame each
-  PassTimes render_times;   // the source's passes
-  PassTimes resolve_times;  // the technique's
-  double evaluations_per_pixel = 0.0;       // mean over frames; 0 where not known
+  std::vector<FloatImage> images;       // RGBA linear, a frame each
+  std::vector<float> median_motion_px;  // of the inputs, |motion|, a frame each
+  PassTimes render_times;               // the source's passes
+  PassTimes resolve_times;              // the technique's
+  double evaluations_per_pixel = 0.0;   // mean over frames; 0 where not known
 };
 
 struct FrameDone {
@@ -30,8 +30,8 @@ struct FrameDone {
   const FloatImage& image;
 };
 
-// Runs frames [0, frames) of `source`. `done` is called after each frame, while its inputs are still on
-// the device; null is allowed. With `keep_images` false, images stay empty.
+// Runs frames [0, frames) of `source`. `done` is called after each frame, while its inputs are
+// still on the device; null is allowed. With `keep_images` false, images stay empty.
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
                         bool keep_images, const std::function<void(const FrameDone&)>& done);
 

@@ -160,7 +160,8 @@ std::vector<TechniqueChoice> parseTechniques(const std::vector<std::string>& tex
       // "name=value" goes on with the technique before it; "name" or "name:..." begins another.
       const size_t colon = piece.find(':');
       const size_t equals = piece.find('=');
-      const bool setting = equals != std::string::npos && (colon == std::string::npos || equals < colon);
+      const bool setting =
+          equals != std::string::npos && (colon == std::string::npos || equals < colon);
       if (!piece.empty() && setting && !first_of_text) {
         items.back() += (items.back().find(':') == std::string::npos ? ":" : ",") + piece;
       } else if (!piece.empty()) {

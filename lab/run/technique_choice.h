@@ -21,12 +21,12 @@ class UsageError : public std::runtime_error {
 };
 
 struct TechniqueChoice {
-  std::string label;    // as written; unique within a list
-  std::string name;     // "taa", "ss"
-  std::string preset;   // "" or a preset's name, from "taa:preset=fast"
+  std::string label;   // as written; unique within a list
+  std::string name;    // "taa", "ss"
+  std::string preset;  // "" or a preset's name, from "taa:preset=fast"
   std::vector<std::pair<std::string, std::string>> settings;  // without the preset
-  const RepriseTechniqueInfo* library = nullptr;  // what resolves; `none` for ss
-  uint32_t grid = 1;                              // N of N x N supersampling
+  const RepriseTechniqueInfo* library = nullptr;              // what resolves; `none` for ss
+  uint32_t grid = 1;                                          // N of N x N supersampling
 
   // C views of `settings`; valid while this object lives unchanged.
   std::vector<RepriseSettingValue> values() const;
@@ -37,8 +37,9 @@ extern const RepriseTechniqueInfo kSupersamplingInfo;
 // Every technique that the command line knows: the library's, then the lab's.
 std::vector<const RepriseTechniqueInfo*> allTechniques();
 
-// Splits at spaces, and at commas that come before a technique's name: "none,taa:alpha=0.1,clip=none".
-// Throws UsageError, with the near names, for unknown techniques, settings and values out of range.
+// Splits at spaces, and at commas that come before a technique's name:
+// "none,taa:alpha=0.1,clip=none". Throws UsageError, with the near names, for unknown techniques,
+// settings and values out of range.
 std::vector<TechniqueChoice> parseTechniques(const std::vector<std::string>& texts);
 TechniqueChoice parseTechnique(std::string_view text);
 

@@ -35,8 +35,9 @@ TEST(TechniqueChoice, WrongInputIsOneClearLine) {
             "technique 'taa' has no setting 'alpa'; near: 'alpha' (see 'reprise list')");
   EXPECT_EQ(messageOf("taa:alpha=2"),
             "setting 'alpha' of technique 'taa' must be a number in [0.001, 1], not '2'");
-  EXPECT_EQ(messageOf("taa:clip=box"), "setting 'clip' of technique 'taa' must be one of none, "
-                                       "minmax, rounded, variance, kdop, cross, not 'box'");
+  EXPECT_EQ(messageOf("taa:clip=box"),
+            "setting 'clip' of technique 'taa' must be one of none, "
+            "minmax, rounded, variance, kdop, cross, not 'box'");
   EXPECT_EQ(messageOf("ss:n=0"),
             "setting 'n' of technique 'ss' must be a whole number in [1, 16], not '0'");
   EXPECT_EQ(messageOf("taa:alpha"), "technique 'taa': 'alpha' is not name=value");

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A wall of random-colour bricks with noisy mortar, pits and bumps under one light: shading aliases in
-// every way, geometry does not. After the brick scene of Yang et al. 2009, Figure 11. The shading is in
-// shading/brick.glsl.
+// A wall of random-colour bricks with noisy mortar, pits and bumps under one light: shading aliases
+// in every way, geometry does not. After the brick scene of Yang et al. 2009, Figure 11. The
+// shading is in shading/brick.glsl.
 #include <cmath>
 
 #include "lab/scene/scene.h"
@@ -61,14 +61,16 @@ class Brick final : public Scene {
 
 SceneInfo brickScene();
 SceneInfo brickScene() {
-  return {.name = "brick",
-          .content = "random-colour bricks, noisy mortar, pits, bump mapping, one light",
-          .cameras = {{"pan", "sideways and a little up, constant speed",
-                       {{"speed", 0.35, "metres a second; 0.35 is about 1.9 px a frame at 540 rows"}}},
-                      {"rotate", "rolls and sways", {}},
-                      {"zoom", "in and out, twice the size and back", {}},
-                      {"still", "does not move", {}}},
-          .create = [] { return std::unique_ptr<Scene>(std::make_unique<Brick>()); }};
+  return {
+      .name = "brick",
+      .content = "random-colour bricks, noisy mortar, pits, bump mapping, one light",
+      .cameras = {{"pan",
+                   "sideways and a little up, constant speed",
+                   {{"speed", 0.35, "metres a second; 0.35 is about 1.9 px a frame at 540 rows"}}},
+                  {"rotate", "rolls and sways", {}},
+                  {"zoom", "in and out, twice the size and back", {}},
+                  {"still", "does not move", {}}},
+      .create = [] { return std::unique_ptr<Scene>(std::make_unique<Brick>()); }};
 }
 
 }  // namespace reprise::lab

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// A resolution chart: zone plate, Siemens star, line pairs of growing frequency. Its camera pans by an
-// exact number of pixels a frame, so that resampling blur can be measured against its closed form
-// (Yang et al. 2009, Figures 3 and 6). The shading is in shading/chart.glsl.
+// A resolution chart: zone plate, Siemens star, line pairs of growing frequency. Its camera pans by
+// an exact number of pixels a frame, so that resampling blur can be measured against its closed
+// form (Yang et al. 2009, Figures 3 and 6). The shading is in shading/chart.glsl.
 #include <cmath>
 
 #include "lab/scene/scene.h"
@@ -52,7 +52,8 @@ SceneInfo chartScene();
 SceneInfo chartScene() {
   return {.name = "chart",
           .content = "resolution chart: zone plate, Siemens star, line pairs",
-          .cameras = {{"pan", "constant sub-pixel panning",
+          .cameras = {{"pan",
+                       "constant sub-pixel panning",
                        {{"vx", 0.3, "px a frame, to the right"}, {"vy", 0.2, "px a frame, down"}}},
                       {"still", "does not move", {}}},
           .create = [] { return std::unique_ptr<Scene>(std::make_unique<Chart>()); }};

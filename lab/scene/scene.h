@@ -1,13 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene: meshes, materials, lights and cameras as pure functions of time in seconds. World units are
-// metres, right-handed, y up. A run is named "scene/camera"; a camera may take numbers:
+// A scene: meshes, materials, lights and cameras as pure functions of time in seconds. World units
+// are metres, right-handed, y up. A run is named "scene/camera"; a camera may take numbers:
 // "chart/pan:vx=0.25,vy=0.1".
 #pragma once
 
-#include <glm/glm.hpp>
-
 #include <cstdint>
+#include <glm/glm.hpp>
 #include <map>
 #include <memory>
 #include <string>

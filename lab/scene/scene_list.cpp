@@ -91,8 +91,8 @@ void appendWall(Geometry& geometry, float width_m, float height_m, uint32_t colu
     for (uint32_t x = 0; x <= columns; ++x) {
       const float u = width_m * static_cast<float>(x) / static_cast<float>(columns);
       const float v = height_m * static_cast<float>(y) / static_cast<float>(rows);
-      geometry.vertices.push_back({{u - 0.5f * width_m, v - 0.5f * height_m, 0.0f, u},
-                                   {0.0f, 0.0f, 1.0f, v}});
+      geometry.vertices.push_back(
+          {{u - 0.5f * width_m, v - 0.5f * height_m, 0.0f, u}, {0.0f, 0.0f, 1.0f, v}});
     }
   }
   for (uint32_t y = 0; y < rows; ++y) {

@@ -47,7 +47,8 @@ TEST(Scenes, GeometryIsWholeAndCamerasArePureFunctionsOfTime) {
     }
     for (const CameraInfo& camera : info.cameras) {
       CameraValues values;
-      for (const auto& parameter : camera.parameters) values[parameter.name] = parameter.default_value;
+      for (const auto& parameter : camera.parameters)
+        values[parameter.name] = parameter.default_value;
       // Asked in another order, the answer is the same.
       const CameraPose late = a->camera(camera.name, values, 0.7, 540);
       a->camera(camera.name, values, 0.1, 540);

@@ -18,8 +18,8 @@ ProgramLayout::ProgramLayout(Device& device, const std::vector<VkDescriptorType>
     const bool takes_sampler = types[i] == VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     bindings.push_back({i, types[i], 1, stages, takes_sampler ? &nearest_ : nullptr});
   }
-  VkDescriptorSetLayoutCreateInfo set_info{
-      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  VkDescriptorSetLayoutCreateInfo set_info{.sType =
+                                               VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   set_info.flags = VK_DESCRIPTOR_SET_LAYOUT_CREATE_PUSH_DESCRIPTOR_BIT_KHR;
   set_info.bindingCount = static_cast<uint32_t>(bindings.size());
   set_info.pBindings = bindings.data();
@@ -31,7 +31,8 @@ ProgramLayout::ProgramLayout(Device& device, const std::vector<VkDescriptorType>
   info.pSetLayouts = &set_layout_;
   info.pushConstantRangeCount = push_bytes > 0 ? 1 : 0;
   info.pPushConstantRanges = &range;
-  check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout_), "vkCreatePipelineLayout");
+  check(vkCreatePipelineLayout(device.handle(), &info, nullptr, &layout_),
+        "vkCreatePipelineLayout");
 }
 
 ProgramLayout::~ProgramLayout() {

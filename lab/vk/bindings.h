@@ -9,8 +9,8 @@
 
 namespace reprise::lab {
 
-// What a shader's binding is given. Bindings are numbered 0, 1, 2 ... in the order in which they are
-// listed, in set 0, as push descriptors.
+// What a shader's binding is given. Bindings are numbered 0, 1, 2 ... in the order in which they
+// are listed, in set 0, as push descriptors.
 struct Bound {
   VkDescriptorType type;
   VkDescriptorImageInfo image{};

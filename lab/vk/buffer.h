@@ -26,8 +26,8 @@ class Buffer {
   uint64_t bytes() const { return bytes_; }
   // kHost only.
   void* mapped() const { return mapped_; }
-  // A view of the whole buffer as texels of `format`, for samplerBuffer. CPU drivers fetch a texel of
-  // four floats much faster than four floats of a storage buffer.
+  // A view of the whole buffer as texels of `format`, for samplerBuffer. CPU drivers fetch a texel
+  // of four floats much faster than four floats of a storage buffer.
   void makeTexelView(VkFormat format);
   VkBufferView texelView() const { return texel_view_; }
   template <typename T>

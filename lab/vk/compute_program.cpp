@@ -31,8 +31,8 @@ ComputeProgram::ComputeProgram(Device& device, const ComputeProgramInfo& info)
   pipeline.stage.pName = "main";
   pipeline.stage.pSpecializationInfo = &specialization;
   pipeline.layout = layout_.handle();
-  const VkResult result = vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &pipeline,
-                                                   nullptr, &pipeline_);
+  const VkResult result =
+      vkCreateComputePipelines(device.handle(), VK_NULL_HANDLE, 1, &pipeline, nullptr, &pipeline_);
   vkDestroyShaderModule(device.handle(), pipeline.stage.module, nullptr);
   check(result, info.name);
 }

@@ -84,16 +84,22 @@ Needed neededFeatures(VkPhysicalDevice device) {
 
 const char* typeName(VkPhysicalDeviceType type) {
   switch (type) {
-    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU: return "integrated GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU: return "discrete GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU: return "virtual GPU";
-    case VK_PHYSICAL_DEVICE_TYPE_CPU: return "CPU";
-    default: return "other";
+    case VK_PHYSICAL_DEVICE_TYPE_INTEGRATED_GPU:
+      return "integrated GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_DISCRETE_GPU:
+      return "discrete GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_VIRTUAL_GPU:
+      return "virtual GPU";
+    case VK_PHYSICAL_DEVICE_TYPE_CPU:
+      return "CPU";
+    default:
+      return "other";
   }
 }
 
 DeviceSummary summarize(VkPhysicalDevice device) {
-  VkPhysicalDeviceDriverProperties driver{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
+  VkPhysicalDeviceDriverProperties driver{.sType =
+                                              VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DRIVER_PROPERTIES};
   VkPhysicalDeviceProperties2 properties{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_PROPERTIES_2};
   properties.pNext = &driver;
   vkGetPhysicalDeviceProperties2(device, &properties);
@@ -129,7 +135,8 @@ VkPhysicalDevice select(const std::vector<VkPhysicalDevice>& devices, const std:
     const DeviceSummary summary = summarize(devices[i]);
     const bool matches = is_index ? i == index : summary.name.find(selector) != std::string::npos;
     if (!matches) continue;
-    if (!summary.usable) throw DeviceError("device '" + summary.name + "' lacks " + summary.missing);
+    if (!summary.usable)
+      throw DeviceError("device '" + summary.name + "' lacks " + summary.missing);
     return devices[i];
   }
   throw DeviceError("no device '" + selector + "' (see 'reprise list')");
@@ -257,8 +264,8 @@ Device::Device(const DeviceOptions& options) {
   pool_info.flags = VK_COMMAND_POOL_CREATE_RESET_COMMAND_BUFFER_BIT;
   pool_info.queueFamilyIndex = queue_family_;
   check(vkCreateCommandPool(device_, &pool_info, nullptr, &command_pool_), "vkCreateCommandPool");
-  VkCommandBufferAllocateInfo commands_info{
-      .sType = VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
+  VkCommandBufferAllocateInfo commands_info{.sType =
+                                                VK_STRUCTURE_TYPE_COMMAND_BUFFER_ALLOCATE_INFO};
   commands_info.commandPool = command_pool_;
   commands_info.level = VK_COMMAND_BUFFER_LEVEL_PRIMARY;
   commands_info.commandBufferCount = 1;

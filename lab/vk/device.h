@@ -91,8 +91,8 @@ class Device {
   std::vector<std::string> validation_messages_;
 };
 
-// Everything before is complete and visible to everything after. The lab's frames are few and large:
-// one full barrier between passes costs nothing that shows.
+// Everything before is complete and visible to everything after. The lab's frames are few and
+// large: one full barrier between passes costs nothing that shows.
 void fullBarrier(VkCommandBuffer commands);
 
 }  // namespace reprise::lab

@@ -74,8 +74,8 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
   pipeline.pColorBlendState = &blend;
   pipeline.pDynamicState = &dynamic;
   pipeline.layout = layout_.handle();
-  const VkResult result = vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &pipeline,
-                                                    nullptr, &pipeline_);
+  const VkResult result =
+      vkCreateGraphicsPipelines(device.handle(), VK_NULL_HANDLE, 1, &pipeline, nullptr, &pipeline_);
   for (const VkPipelineShaderStageCreateInfo& stage : stages) {
     vkDestroyShaderModule(device.handle(), stage.module, nullptr);
   }
@@ -126,6 +126,8 @@ void beginRendering(VkCommandBuffer commands, const Image* color, const Image& d
   vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
 }
 
-void endRendering(VkCommandBuffer commands) { vkCmdEndRenderingKHR(commands); }
+void endRendering(VkCommandBuffer commands) {
+  vkCmdEndRenderingKHR(commands);
+}
 
 }  // namespace reprise::lab

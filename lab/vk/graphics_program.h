@@ -42,7 +42,8 @@ class GraphicsProgram {
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-// Begins rendering to whole images, cleared: colour to 0, depth to `clear_depth`. `color` may be null.
+// Begins rendering to whole images, cleared: colour to 0, depth to `clear_depth`. `color` may be
+// null.
 void beginRendering(VkCommandBuffer commands, const Image* color, const Image& depth,
                     float clear_depth);
 void endRendering(VkCommandBuffer commands);

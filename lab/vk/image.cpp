@@ -2,7 +2,6 @@
 #include "lab/vk/image.h"
 
 #include <glm/gtc/packing.hpp>
-
 #include <utility>
 
 namespace reprise::lab {
@@ -17,13 +16,19 @@ FormatInfo formatInfo(VkFormat format) {
   switch (format) {
     case VK_FORMAT_R32_SFLOAT:
     case VK_FORMAT_R32_UINT:
-    case VK_FORMAT_D32_SFLOAT: return {4, 1};
-    case VK_FORMAT_R8G8B8A8_UNORM: return {4, 4};
+    case VK_FORMAT_D32_SFLOAT:
+      return {4, 1};
+    case VK_FORMAT_R8G8B8A8_UNORM:
+      return {4, 4};
     case VK_FORMAT_R32G32_SFLOAT:
-    case VK_FORMAT_R32G32_UINT: return {8, 2};
-    case VK_FORMAT_R16G16B16A16_SFLOAT: return {8, 4};
-    case VK_FORMAT_R32G32B32A32_SFLOAT: return {16, 4};
-    default: throw DeviceError("the lab does not use VkFormat " + std::to_string(format));
+    case VK_FORMAT_R32G32_UINT:
+      return {8, 2};
+    case VK_FORMAT_R16G16B16A16_SFLOAT:
+      return {8, 4};
+    case VK_FORMAT_R32G32B32A32_SFLOAT:
+      return {16, 4};
+    default:
+      throw DeviceError("the lab does not use VkFormat " + std::to_string(format));
   }
 }
 
@@ -37,7 +42,9 @@ VkBufferImageCopy wholeImage(const Image& image, uint64_t offset) {
 
 }  // namespace
 
-uint32_t texelBytes(VkFormat format) { return formatInfo(format).bytes; }
+uint32_t texelBytes(VkFormat format) {
+  return formatInfo(format).bytes;
+}
 
 VkImageAspectFlags Image::aspect() const {
   return info_.format == VK_FORMAT_D32_SFLOAT ? VK_IMAGE_ASPECT_DEPTH_BIT
@@ -86,7 +93,8 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
     barrier.image = image_;
     barrier.subresourceRange = {aspect(), 0, 1, 0, 1};
     vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1, &barrier);
+                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1,
+                         &barrier);
   });
 }
 
@@ -190,8 +198,10 @@ void upload(Device& device, const Image& image, const FloatImage& texels) {
       }
       break;
     }
-    case VK_FORMAT_R8G8B8A8_UNORM: throw DeviceError("upload of RGBA8 from floats is not offered");
-    default: std::memcpy(bytes.data(), texels.texels.data(), bytes.size());
+    case VK_FORMAT_R8G8B8A8_UNORM:
+      throw DeviceError("upload of RGBA8 from floats is not offered");
+    default:
+      std::memcpy(bytes.data(), texels.texels.data(), bytes.size());
   }
   uploadBytes(device, image, bytes);
 }

@@ -3,14 +3,17 @@
 
 namespace reprise::lab {
 
-Timestamps::Timestamps(Device& device, uint32_t max_spans) : device_(device), max_spans_(max_spans) {
+Timestamps::Timestamps(Device& device, uint32_t max_spans)
+    : device_(device), max_spans_(max_spans) {
   VkQueryPoolCreateInfo info{.sType = VK_STRUCTURE_TYPE_QUERY_POOL_CREATE_INFO};
   info.queryType = VK_QUERY_TYPE_TIMESTAMP;
   info.queryCount = 2 * max_spans;
   check(vkCreateQueryPool(device.handle(), &info, nullptr, &pool_), "vkCreateQueryPool");
 }
 
-Timestamps::~Timestamps() { vkDestroyQueryPool(device_.handle(), pool_, nullptr); }
+Timestamps::~Timestamps() {
+  vkDestroyQueryPool(device_.handle(), pool_, nullptr);
+}
 
 void Timestamps::begin(VkCommandBuffer commands) {
   names_.clear();

@@ -32,7 +32,8 @@ TEST(Image, EveryFormatRoundTrips) {
     Image image(device, {.format = format, .extent = {5, 3}});
     FloatImage texels = floatsFromTexels(format, {5, 3}, std::vector<uint8_t>(5 * 3 * 16).data());
     for (size_t i = 0; i < texels.texels.size(); ++i) {
-      // Exact in every format: small multiples of 1/64, whole for integers, within [0, 1] for depth.
+      // Exact in every format: small multiples of 1/64, whole for integers, within [0, 1] for
+      // depth.
       const float step = format == VK_FORMAT_R32_UINT ? 1.0f : 1.0f / 64.0f;
       texels.texels[i] = static_cast<float>(i) * step;
     }

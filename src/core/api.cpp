@@ -41,8 +41,7 @@ template <typename Work>
 RepriseResult guarded(const char* call, RepriseContext context, const Work& work) {
   if (context == nullptr) return REPRISE_ERROR_INVALID_ARGUMENT;
   return guarded(
-      call,
-      [&](const std::string& text) { context->report(REPRISE_MESSAGE_ERROR, text); }, work);
+      call, [&](const std::string& text) { context->report(REPRISE_MESSAGE_ERROR, text); }, work);
 }
 
 void require(bool holds, const char* message) {
@@ -86,18 +85,24 @@ const RepriseTechniqueInfo* repriseFindTechnique(const char* name) {
 #define REPRISE_TEXT_(x) #x
 #define REPRISE_TEXT(x) REPRISE_TEXT_(x)
 const char* repriseGetVersion(void) {
-  return REPRISE_TEXT(REPRISE_VERSION_MAJOR) "." REPRISE_TEXT(REPRISE_VERSION_MINOR) "." REPRISE_TEXT(
-      REPRISE_VERSION_PATCH);
+  return REPRISE_TEXT(REPRISE_VERSION_MAJOR) "." REPRISE_TEXT(
+      REPRISE_VERSION_MINOR) "." REPRISE_TEXT(REPRISE_VERSION_PATCH);
 }
 
 const char* repriseResultText(RepriseResult result) {
   switch (result) {
-    case REPRISE_SUCCESS: return "success";
-    case REPRISE_ERROR_INVALID_ARGUMENT: return "invalid argument";
-    case REPRISE_ERROR_UNSUPPORTED: return "unsupported";
-    case REPRISE_ERROR_NOT_PREPARED: return "not prepared";
-    case REPRISE_ERROR_OUT_OF_MEMORY: return "out of memory";
-    case REPRISE_ERROR_DEVICE: return "device error";
+    case REPRISE_SUCCESS:
+      return "success";
+    case REPRISE_ERROR_INVALID_ARGUMENT:
+      return "invalid argument";
+    case REPRISE_ERROR_UNSUPPORTED:
+      return "unsupported";
+    case REPRISE_ERROR_NOT_PREPARED:
+      return "not prepared";
+    case REPRISE_ERROR_OUT_OF_MEMORY:
+      return "out of memory";
+    case REPRISE_ERROR_DEVICE:
+      return "device error";
   }
   return "unknown result";
 }
@@ -138,7 +143,9 @@ RepriseResult repriseCreateContext(const RepriseContextInfo* info, RepriseContex
       });
 }
 
-void repriseDestroyContext(RepriseContext context) { delete context; }
+void repriseDestroyContext(RepriseContext context) {
+  delete context;
+}
 
 RepriseResult repriseSetSettings(RepriseContext context, const RepriseSettingValue* values,
                                  uint32_t count) {

@@ -49,8 +49,8 @@ void ComputePass::build(const PassInfo& info, VkSampler nearest, VkSampler linea
     layout_bindings[i] = {i, descriptorType(bindings_[i]), 1, VK_SHADER_STAGE_COMPUTE_BIT, sampler};
     pool_sizes[i] = {descriptorType(bindings_[i]), frames_in_flight};
   }
-  VkDescriptorSetLayoutCreateInfo set_info{
-      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
+  VkDescriptorSetLayoutCreateInfo set_info{.sType =
+                                               VK_STRUCTURE_TYPE_DESCRIPTOR_SET_LAYOUT_CREATE_INFO};
   set_info.bindingCount = count;
   set_info.pBindings = layout_bindings.data();
   check(gpu_.vk.CreateDescriptorSetLayout(gpu_.device, &set_info, nullptr, &set_layout_), what);
@@ -67,8 +67,8 @@ void ComputePass::build(const PassInfo& info, VkSampler nearest, VkSampler linea
   check(gpu_.vk.CreateDescriptorPool(gpu_.device, &pool_info, nullptr, &pool_), what);
   const std::vector<VkDescriptorSetLayout> layouts(frames_in_flight, set_layout_);
   sets_.resize(frames_in_flight);
-  VkDescriptorSetAllocateInfo allocate_info{
-      .sType = VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
+  VkDescriptorSetAllocateInfo allocate_info{.sType =
+                                                VK_STRUCTURE_TYPE_DESCRIPTOR_SET_ALLOCATE_INFO};
   allocate_info.descriptorPool = pool_;
   allocate_info.descriptorSetCount = frames_in_flight;
   allocate_info.pSetLayouts = layouts.data();
@@ -84,7 +84,8 @@ void ComputePass::build(const PassInfo& info, VkSampler nearest, VkSampler linea
   module_info.pCode = info.spirv.data();
   VkShaderModule module = VK_NULL_HANDLE;
   check(gpu_.vk.CreateShaderModule(gpu_.device, &module_info, nullptr, &module), what);
-  VkComputePipelineCreateInfo pipeline_info{.sType = VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
+  VkComputePipelineCreateInfo pipeline_info{.sType =
+                                                VK_STRUCTURE_TYPE_COMPUTE_PIPELINE_CREATE_INFO};
   pipeline_info.stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
   pipeline_info.stage.stage = VK_SHADER_STAGE_COMPUTE_BIT;
   pipeline_info.stage.module = module;
@@ -97,7 +98,9 @@ void ComputePass::build(const PassInfo& info, VkSampler nearest, VkSampler linea
   check(result, what);
 }
 
-ComputePass::~ComputePass() { release(); }
+ComputePass::~ComputePass() {
+  release();
+}
 
 void ComputePass::release() {
   gpu_.vk.DestroyPipeline(gpu_.device, pipeline_, nullptr);

@@ -3,7 +3,8 @@
 // A pass is declared once, in prepare, and recorded as one expression:
 //   recorder.pass(resolve_).read(color).read(history.previous(n)).write(output)
 //           .constants(k).dispatch(extent);
-// Reads, writes and constants bind in the order in which they are named: binding 0, 1, 2 ... of set 0.
+// Reads, writes and constants bind in the order in which they are named: binding 0, 1, 2 ... of set
+// 0.
 #pragma once
 
 #include <cstdint>
@@ -17,10 +18,10 @@
 namespace reprise {
 
 enum class Binding : uint8_t {
-  kTexel,    // sampler2D or usampler2D with a nearest, clamped sampler: texelFetch, textureGather
-  kLinear,   // sampler2D with a linear, clamped sampler
-  kStorage,  // image2D, written
-  kConstants // uniform block; at most one, the last
+  kTexel,     // sampler2D or usampler2D with a nearest, clamped sampler: texelFetch, textureGather
+  kLinear,    // sampler2D with a linear, clamped sampler
+  kStorage,   // image2D, written
+  kConstants  // uniform block; at most one, the last
 };
 
 struct PassInfo {
@@ -82,7 +83,8 @@ class PassRecording {
   PassRecording& constants(const Constants& value) {
     return constants(&value, static_cast<uint32_t>(sizeof(Constants)));
   }
-  // One invocation a pixel of `extent`; then a barrier that lets later passes read what was written.
+  // One invocation a pixel of `extent`; then a barrier that lets later passes read what was
+  // written.
   void dispatch(VkExtent2D extent);
 
  private:

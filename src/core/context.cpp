@@ -92,9 +92,9 @@ void Context::setExtents(VkExtent2D input, VkExtent2D output) {
   const uint32_t limit = gpu_.limits.maxImageDimension2D;
   for (const VkExtent2D extent : {input, output}) {
     if (extent.width < 1 || extent.height < 1 || extent.width > limit || extent.height > limit) {
-      fail(REPRISE_ERROR_INVALID_ARGUMENT,
-           "maximum extent " + std::to_string(extent.width) + "x" + std::to_string(extent.height) +
-               " must be in [1, " + std::to_string(limit) + "] a side");
+      fail(REPRISE_ERROR_INVALID_ARGUMENT, "maximum extent " + std::to_string(extent.width) + "x" +
+                                               std::to_string(extent.height) + " must be in [1, " +
+                                               std::to_string(limit) + "] a side");
     }
   }
   const bool upsamples = (entry_.info->flags & REPRISE_TECHNIQUE_UPSAMPLES) != 0;
@@ -114,7 +114,9 @@ void Context::setSettings(const RepriseSettingValue* values, uint32_t count) {
   needs_prepare_ |= settings_.apply(values, count);
 }
 
-double Context::getSetting(const char* name) const { return settings_.number(settings_.find(name)); }
+double Context::getSetting(const char* name) const {
+  return settings_.number(settings_.find(name));
+}
 
 void Context::resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent) {
   setExtents(max_input_extent, max_output_extent);
@@ -158,7 +160,8 @@ void Context::prepare() {
     all_kept = false;
   }
   for (size_t i = 0; i < next.histories.size(); ++i) {
-    if (next.histories[i] == nullptr) next.histories[i] = std::move(prepared_.histories[kept_from[i]]);
+    if (next.histories[i] == nullptr)
+      next.histories[i] = std::move(prepared_.histories[kept_from[i]]);
   }
   prepared_ = std::move(next);
   reset_pending_ |= !all_kept;
@@ -177,8 +180,7 @@ FrameState Context::frameState(const RepriseFrame& frame) const {
              state.input_extent, state.output_extent);
   state.has_history = !reset_pending_ && frame.reset == 0 && record_ > 0;
   state.record = record_;
-  state.previous_output_extent =
-      state.has_history ? previous_.output_extent : state.output_extent;
+  state.previous_output_extent = state.has_history ? previous_.output_extent : state.output_extent;
   state.jitter_px = eq::vec2(frame.jitter_px[0], frame.jitter_px[1]);
   state.previous_jitter_px = state.has_history ? previous_.jitter_px : state.jitter_px;
   state.motion_offset_px = eq::vec2(0.0f, 0.0f);
@@ -192,7 +194,8 @@ FrameState Context::frameState(const RepriseFrame& frame) const {
   if (state.has_history && frame.camera != nullptr && previous_.camera.has_value()) {
     state.previous_depth_coefficients = eq::previousDepthCoefficients(
         frame.camera->view, frame.camera->projection, previous_.camera->view,
-        static_cast<float>(state.input_extent.width), static_cast<float>(state.input_extent.height));
+        static_cast<float>(state.input_extent.width),
+        static_cast<float>(state.input_extent.height));
   }
   state.exposure_ratio = state.has_history ? frame.pre_exposure / previous_.pre_exposure : 1.0f;
   return state;
@@ -209,9 +212,9 @@ void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
   for (const auto& history : prepared_.histories) history->recordInitialLayout(commands);
   const auto slot = static_cast<uint32_t>(record_ % frames_in_flight_);
   prepared_.constants->beginSlot(slot);
-  Recorder recorder(prepared_, *float_placeholder_, *uint_placeholder_,
-                    {commands, slot, prepared_.constants.get(), frame.timestamps,
-                     frame.first_timestamp});
+  Recorder recorder(
+      prepared_, *float_placeholder_, *uint_placeholder_,
+      {commands, slot, prepared_.constants.get(), frame.timestamps, frame.first_timestamp});
   prepared_.technique->record(recorder, state);
 
   previous_.output_extent = state.output_extent;
@@ -239,8 +242,7 @@ uint32_t Context::memory(RepriseMemoryItem* items, uint32_t capacity) const {
   const auto count = static_cast<uint32_t>(prepared_.histories.size());
   for (uint32_t i = 0; i < std::min(count, capacity); ++i) {
     const HistoryImage& image = *prepared_.histories[i];
-    items[i] = {image.name(), image.format(), image.extent(), image.copies(),
-                image.bytes()};
+    items[i] = {image.name(), image.format(), image.extent(), image.copies(), image.bytes()};
   }
   return count;
 }

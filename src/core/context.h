@@ -23,8 +23,10 @@ class Recorder {
  public:
   Recorder(const Prepared& prepared, const HistoryImage& float_placeholder,
            const HistoryImage& uint_placeholder, RecordTarget target)
-      : prepared_(prepared), float_placeholder_(float_placeholder),
-        uint_placeholder_(uint_placeholder), target_(target) {}
+      : prepared_(prepared),
+        float_placeholder_(float_placeholder),
+        uint_placeholder_(uint_placeholder),
+        target_(target) {}
 
   PassRecording pass(PassHandle handle) {
     return PassRecording(*prepared_.passes[handle], target_, handle);

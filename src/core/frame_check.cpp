@@ -16,8 +16,8 @@ VkExtent2D resolvedExtent(VkExtent2D extent, VkExtent2D maximum, const char* fie
   if (extent.width == 0 && extent.height == 0) return maximum;
   if (extent.width < 1 || extent.height < 1 || extent.width > maximum.width ||
       extent.height > maximum.height) {
-    fail(REPRISE_ERROR_INVALID_ARGUMENT, std::string(field) + " " + text(extent) +
-                                             " must be in [1x1, " + text(maximum) + "]");
+    fail(REPRISE_ERROR_INVALID_ARGUMENT,
+         std::string(field) + " " + text(extent) + " must be in [1x1, " + text(maximum) + "]");
   }
   return extent;
 }
@@ -42,8 +42,9 @@ void checkInputLayout(const RepriseImage& image, const char* field) {
       return;
     default:
       fail(REPRISE_ERROR_INVALID_ARGUMENT,
-           std::string(field) + ".layout must be GENERAL, SHADER_READ_ONLY_OPTIMAL or "
-                                "DEPTH_STENCIL_READ_ONLY_OPTIMAL");
+           std::string(field) +
+               ".layout must be GENERAL, SHADER_READ_ONLY_OPTIMAL or "
+               "DEPTH_STENCIL_READ_ONLY_OPTIMAL");
   }
 }
 

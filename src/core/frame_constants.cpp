@@ -12,7 +12,9 @@ vec2 toVec2(VkExtent2D extent) {
 }
 
 // d(view_depth)/d(depth) of (x d + y) / (z d + w) has the sign of x w - y z wherever it is defined.
-float depthOrder(const vec4& k) { return k.x * k.w - k.y * k.z >= 0.0f ? 1.0f : -1.0f; }
+float depthOrder(const vec4& k) {
+  return k.x * k.w - k.y * k.z >= 0.0f ? 1.0f : -1.0f;
+}
 
 }  // namespace
 

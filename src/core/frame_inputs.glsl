@@ -14,7 +14,8 @@ const float kMaxViewDepth = 1.0e9;
 // Motion longer than this is no motion (px): a NaN, or a buffer that was never written.
 const float kMaxMotion_px = 1.0e5;
 
-// A NaN is the one value that is neither below nor at least 0; infinities and negatives are no light.
+// A NaN is the one value that is neither below nor at least 0; infinities and negatives are no
+// light.
 vec3 sanitizedColor(vec3 color) {
   bvec3 valid = bvec3(color.x >= 0.0 && color.x <= 3.0e38, color.y >= 0.0 && color.y <= 3.0e38,
                       color.z >= 0.0 && color.z <= 3.0e38);

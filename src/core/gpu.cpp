@@ -40,8 +40,8 @@ HistoryImage::HistoryImage(const Gpu& gpu, const char* name, VkFormat format, Vk
       gpu_.vk.GetImageMemoryRequirements(gpu_.device, copy.image, &needs);
       VkMemoryAllocateInfo memory_info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
       memory_info.allocationSize = needs.size;
-      memory_info.memoryTypeIndex = gpu_.memoryType(needs.memoryTypeBits, 0,
-                                                    VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
+      memory_info.memoryTypeIndex =
+          gpu_.memoryType(needs.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
       check(gpu_.vk.AllocateMemory(gpu_.device, &memory_info, nullptr, &copy.memory), what);
       check(gpu_.vk.BindImageMemory(gpu_.device, copy.image, copy.memory, 0), what);
       bytes_ += needs.size;
@@ -59,7 +59,9 @@ HistoryImage::HistoryImage(const Gpu& gpu, const char* name, VkFormat format, Vk
   }
 }
 
-HistoryImage::~HistoryImage() { release(); }
+HistoryImage::~HistoryImage() {
+  release();
+}
 
 void HistoryImage::release() {
   for (Copy& copy : copies_) {
@@ -105,10 +107,10 @@ ConstantRing::ConstantRing(const Gpu& gpu, uint32_t slot_bytes, uint32_t frames)
     gpu_.vk.GetBufferMemoryRequirements(gpu_.device, buffer_, &needs);
     VkMemoryAllocateInfo memory_info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
     memory_info.allocationSize = needs.size;
-    memory_info.memoryTypeIndex = gpu_.memoryType(
-        needs.memoryTypeBits,
-        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
-        VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, "constant buffer");
+    memory_info.memoryTypeIndex =
+        gpu_.memoryType(needs.memoryTypeBits,
+                        VK_MEMORY_PROPERTY_HOST_VISIBLE_BIT | VK_MEMORY_PROPERTY_HOST_COHERENT_BIT,
+                        VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, "constant buffer");
     check(gpu_.vk.AllocateMemory(gpu_.device, &memory_info, nullptr, &memory_), "constant buffer");
     check(gpu_.vk.BindBufferMemory(gpu_.device, buffer_, memory_, 0), "constant buffer");
     void* mapped = nullptr;

@@ -20,7 +20,8 @@ struct Gpu {
   VkPhysicalDeviceMemoryProperties memory{};
   VkPhysicalDeviceLimits limits{};
 
-  // Index of the first memory type in `type_bits` with all `required` flags, preferring `preferred`.
+  // Index of the first memory type in `type_bits` with all `required` flags, preferring
+  // `preferred`.
   uint32_t memoryType(uint32_t type_bits, VkMemoryPropertyFlags required,
                       VkMemoryPropertyFlags preferred, const std::string& what) const;
 };
@@ -68,7 +69,8 @@ class HistoryImage {
   bool has_layout_ = false;
 };
 
-// Host-visible memory for the constants of every pass of `frames` frames in flight: one slot a frame.
+// Host-visible memory for the constants of every pass of `frames` frames in flight: one slot a
+// frame.
 class ConstantRing {
  public:
   ConstantRing(const Gpu& gpu, uint32_t slot_bytes, uint32_t frames);

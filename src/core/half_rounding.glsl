@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
-// Half precision holds 11 bits: in a mean of more than 2048 samples, and long before, a new sample's
-// step is lost when every store rounds to nearest. Rounding up with the probability of the remainder
-// keeps the mean right (stochastic rounding). A value that a half can hold is stored as it is. Done by
-// hand, since whether a store truncates or rounds is the device's choice.
+// Half precision holds 11 bits: in a mean of more than 2048 samples, and long before, a new
+// sample's step is lost when every store rounds to nearest. Rounding up with the probability of the
+// remainder keeps the mean right (stochastic rounding). A value that a half can hold is stored as
+// it is. Done by hand, since whether a store truncates or rounds is the device's choice.
 #ifndef REPRISE_CORE_HALF_ROUNDING_GLSL
 #define REPRISE_CORE_HALF_ROUNDING_GLSL
 

@@ -29,7 +29,8 @@ inline size_t editDistance(std::string_view a, std::string_view b) {
   return row[b.size()];
 }
 
-// Candidates within two edits of `name`, or that begin with it, joined as "'a', 'b'"; "" when none is.
+// Candidates within two edits of `name`, or that begin with it, joined as "'a', 'b'"; "" when none
+// is.
 template <typename Names>
 std::string nearNames(std::string_view name, const Names& candidates) {
   constexpr size_t kMaxEdits = 2;  // a slip of the finger; more would name strangers

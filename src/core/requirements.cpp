@@ -5,8 +5,8 @@
 
 namespace reprise {
 
-// Vulkan 1.2 is what the shaders are compiled for. Writing a storage image without naming its format
-// lets the host choose the output's format; every desktop driver and lavapipe offer it.
+// Vulkan 1.2 is what the shaders are compiled for. Writing a storage image without naming its
+// format lets the host choose the output's format; every desktop driver and lavapipe offer it.
 void describeRequirements(RepriseRequirements& requirements) {
   requirements.vulkan_version = VK_API_VERSION_1_2;
   requirements.device_extension_count = 0;

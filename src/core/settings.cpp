@@ -35,9 +35,9 @@ uint32_t Settings::find(const char* name) const {
     names.emplace_back(technique_->settings[i].name);
   }
   const std::string near = nearNames(name, names);
-  fail(REPRISE_ERROR_INVALID_ARGUMENT,
-       "technique '" + std::string(technique_->name) + "' has no setting '" + name + "'" +
-           (near.empty() ? "" : "; near: " + near));
+  fail(REPRISE_ERROR_INVALID_ARGUMENT, "technique '" + std::string(technique_->name) +
+                                           "' has no setting '" + name + "'" +
+                                           (near.empty() ? "" : "; near: " + near));
 }
 
 double Settings::parse(const RepriseSettingInfo& info, const RepriseSettingValue& value) const {
@@ -53,7 +53,8 @@ double Settings::parse(const RepriseSettingInfo& info, const RepriseSettingValue
         names.emplace_back(info.choices[i]);
       }
       std::string all;
-      for (const std::string_view name : names) all += (all.empty() ? "" : ", ") + std::string(name);
+      for (const std::string_view name : names)
+        all += (all.empty() ? "" : ", ") + std::string(name);
       fail(REPRISE_ERROR_INVALID_ARGUMENT,
            subject + " cannot be '" + std::string(text) + "'; one of: " + all);
     }
@@ -86,9 +87,9 @@ void Settings::applyPreset(const char* name) {
   }
   std::string all;
   for (const std::string_view known : names) all += (all.empty() ? "" : ", ") + std::string(known);
-  fail(REPRISE_ERROR_INVALID_ARGUMENT,
-       "technique '" + std::string(technique_->name) + "' has no preset '" + name + "'" +
-           (all.empty() ? "" : "; it has: " + all));
+  fail(REPRISE_ERROR_INVALID_ARGUMENT, "technique '" + std::string(technique_->name) +
+                                           "' has no preset '" + name + "'" +
+                                           (all.empty() ? "" : "; it has: " + all));
 }
 
 bool Settings::apply(const RepriseSettingValue* values, uint32_t count) {

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A technique's settings are one table. Rows are found by an enumerator, so that reading a value while
-// recording is an array access and a misspelt name does not compile.
+// A technique's settings are one table. Rows are found by an enumerator, so that reading a value
+// while recording is an array access and a misspelt name does not compile.
 #pragma once
 
 #include <array>
@@ -15,7 +15,8 @@
 
 namespace reprise {
 
-// Row builders, for readable tables. `index` must equal the row's position (checked by settingTable).
+// Row builders, for readable tables. `index` must equal the row's position (checked by
+// settingTable).
 struct SettingRow {
   uint32_t index;
   RepriseSettingInfo info;
@@ -25,27 +26,31 @@ constexpr SettingRow numberSetting(uint32_t index, const char* name, double defa
                                    double minimum, double maximum, const char* unit,
                                    const char* effect, const char* source,
                                    uint32_t needs_prepare = 0) {
-  return {index, {name, REPRISE_SETTING_FLOAT, minimum, maximum, default_value, nullptr, unit, effect,
-                  source, needs_prepare}};
+  return {index,
+          {name, REPRISE_SETTING_FLOAT, minimum, maximum, default_value, nullptr, unit, effect,
+           source, needs_prepare}};
 }
 constexpr SettingRow integerSetting(uint32_t index, const char* name, double default_value,
                                     double minimum, double maximum, const char* unit,
                                     const char* effect, const char* source,
                                     uint32_t needs_prepare = 0) {
-  return {index, {name, REPRISE_SETTING_INTEGER, minimum, maximum, default_value, nullptr, unit,
-                  effect, source, needs_prepare}};
+  return {index,
+          {name, REPRISE_SETTING_INTEGER, minimum, maximum, default_value, nullptr, unit, effect,
+           source, needs_prepare}};
 }
 constexpr SettingRow switchSetting(uint32_t index, const char* name, bool default_value,
                                    const char* effect, const char* source) {
-  return {index, {name, REPRISE_SETTING_BOOLEAN, 0.0, 1.0, default_value ? 1.0 : 0.0, nullptr, "",
-                  effect, source, 1}};
+  return {index,
+          {name, REPRISE_SETTING_BOOLEAN, 0.0, 1.0, default_value ? 1.0 : 0.0, nullptr, "", effect,
+           source, 1}};
 }
 template <size_t kChoices>
 constexpr SettingRow choiceSetting(uint32_t index, const char* name, uint32_t default_value,
                                    const char* const (&choices)[kChoices], const char* effect,
                                    const char* source, uint32_t needs_prepare = 1) {
-  return {index, {name, REPRISE_SETTING_CHOICE, 0.0, static_cast<double>(kChoices - 2),
-                  static_cast<double>(default_value), choices, "", effect, source, needs_prepare}};
+  return {index,
+          {name, REPRISE_SETTING_CHOICE, 0.0, static_cast<double>(kChoices - 2),
+           static_cast<double>(default_value), choices, "", effect, source, needs_prepare}};
 }
 
 // Puts the rows in place; a row out of order or missing does not compile.

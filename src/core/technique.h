@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// What a technique is to the library: a table of settings, a sample plan, the images and passes that
-// it needs, and how it records them. One folder in src/techniques, one line in technique_list.cpp.
+// What a technique is to the library: a table of settings, a sample plan, the images and passes
+// that it needs, and how it records them. One folder in src/techniques, one line in
+// technique_list.cpp.
 #pragma once
 
 #include <cstdint>
@@ -62,8 +63,8 @@ struct FrameState {
   VkExtent2D input_extent;
   VkExtent2D output_extent;
   VkExtent2D previous_output_extent;  // = output_extent when there is no history
-  bool has_history;                   // false: the first record, after a reset or a change of images
-  uint64_t record;                    // counts records; the turn of history images
+  bool has_history;  // false: the first record, after a reset or a change of images
+  uint64_t record;   // counts records; the turn of history images
   eq::vec2 jitter_px;
   eq::vec2 previous_jitter_px;
   // To be added to motion in px: non-zero when the host's motion includes jitter.

@@ -9,16 +9,15 @@ const char* VulkanFunctions::load(VkInstance instance, VkDevice device,
       get_instance_proc_addr(instance, "vkGetDeviceProcAddr"));
   if (get_device_proc_addr == nullptr) return "vkGetDeviceProcAddr";
 
-#define REPRISE_LOAD_INSTANCE(name)                      \
-  name = reinterpret_cast<PFN_vk##name>(                 \
-      get_instance_proc_addr(instance, "vk" #name));     \
+#define REPRISE_LOAD_INSTANCE(name)                                                    \
+  name = reinterpret_cast<PFN_vk##name>(get_instance_proc_addr(instance, "vk" #name)); \
   if (name == nullptr) return "vk" #name;
   REPRISE_LOAD_INSTANCE(GetPhysicalDeviceMemoryProperties)
   REPRISE_LOAD_INSTANCE(GetPhysicalDeviceProperties)
 #undef REPRISE_LOAD_INSTANCE
 
-#define REPRISE_LOAD(name)                                                             \
-  name = reinterpret_cast<PFN_vk##name>(get_device_proc_addr(device, "vk" #name));     \
+#define REPRISE_LOAD(name)                                                         \
+  name = reinterpret_cast<PFN_vk##name>(get_device_proc_addr(device, "vk" #name)); \
   if (name == nullptr) return "vk" #name;
   REPRISE_DEVICE_FUNCTIONS(REPRISE_LOAD)
 #undef REPRISE_LOAD

@@ -15,10 +15,12 @@ EQ_FN float effectiveSamples(float alpha, float n) {
 }
 
 // The same after infinitely many.
-EQ_FN float steadyEffectiveSamples(float alpha) { return (2.0f - alpha) / alpha; }
+EQ_FN float steadyEffectiveSamples(float alpha) {
+  return (2.0f - alpha) / alpha;
+}
 
-// Effective samples after one more, of weight alpha, joins a history of `samples` (Yang et al. 2009,
-// eq. 8).
+// Effective samples after one more, of weight alpha, joins a history of `samples` (Yang et al.
+// 2009, eq. 8).
 EQ_FN float nextEffectiveSamples(float samples, float alpha) {
   return 1.0f / (alpha * alpha + (1.0f - alpha) * (1.0f - alpha) / samples);
 }
@@ -29,22 +31,22 @@ EQ_FN float runningMeanAlpha(float count, float alpha_min) {
   return max(1.0f / (count + 1.0f), alpha_min);
 }
 
-// Weight of history after one more sample: 0, 1/2, 2/3, 3/4 ... (MiniEngine, TemporalBlendCS). Another
-// form of the running mean, for a history that stores its weight instead of a count.
+// Weight of history after one more sample: 0, 1/2, 2/3, 3/4 ... (MiniEngine, TemporalBlendCS).
+// Another form of the running mean, for a history that stores its weight instead of a count.
 EQ_FN float nextConfidence(float confidence) {
   return clamp(1.0f / (2.0f - confidence), 0.0f, 1.0f);
 }
 
-// Pedersen 2016 (INSIDE, after Lottes): similar lumas keep more history. Weight of the current sample
-// between 0.03 (equal) and 0.12 (unlike), as a factor on 0.06, their geometric mean.
+// Pedersen 2016 (INSIDE, after Lottes): similar lumas keep more history. Weight of the current
+// sample between 0.03 (equal) and 0.12 (unlike), as a factor on 0.06, their geometric mean.
 EQ_FN float contrastFeedback(float luma_now, float luma_then) {
   float difference = abs(luma_now - luma_then) / max(luma_now, max(luma_then, 0.2f));
   float w = 1.0f - clamp(difference, 0.0f, 1.0f);
   return mix(2.0f, 0.5f, w * w);
 }
 
-// Karis 2014: less of the current sample where history lies near the bound, so that a bound that jumps
-// from frame to frame does not drag the image along. Factor in [0.2, 1]; 0.2 keeps it moving.
+// Karis 2014: less of the current sample where history lies near the bound, so that a bound that
+// jumps from frame to frame does not drag the image along. Factor in [0.2, 1]; 0.2 keeps it moving.
 EQ_FN float boundsFeedback(float luma_then, float low, float high) {
   float distance = max(min(luma_then - low, high - luma_then), 0.0f);
   float range = max(high - low, 1.0e-4f);

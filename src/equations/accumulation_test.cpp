@@ -7,7 +7,8 @@ namespace reprise::eq {
 namespace {
 
 TEST(Accumulation, EffectiveSamplesOfTheSurvey) {
-  // Yang, Liu, Salvi 2020: alpha 0.1 has 2.2 samples after 5 frames, 5.1 after 10, 9.8 after 15, 19.
+  // Yang, Liu, Salvi 2020: alpha 0.1 has 2.2 samples after 5 frames, 5.1 after 10, 9.8 after
+  // 15, 19.
   EXPECT_NEAR(effectiveSamples(0.1f, 5.0f), 2.2f, 0.05f);
   EXPECT_NEAR(effectiveSamples(0.1f, 10.0f), 5.1f, 0.05f);
   EXPECT_NEAR(effectiveSamples(0.1f, 15.0f), 9.8f, 0.05f);

@@ -12,8 +12,8 @@ namespace {
 
 constexpr uint32_t kGrid = 64;
 constexpr uint32_t kCells = kGrid * kGrid;
-// Width of a point's energy over the mean distance of the points; Ulichney's 1.5 cells at his density
-// of one cell in ten. It follows the count: few points must repel across the whole pixel.
+// Width of a point's energy over the mean distance of the points; Ulichney's 1.5 cells at his
+// density of one cell in ten. It follows the count: few points must repel across the whole pixel.
 constexpr float kWidthPerDistance = 0.474f;
 // 1 in the fixed point of an energy's two factors. Integers, so that every compiler finds the same
 // clusters and voids.
@@ -38,8 +38,8 @@ class Energy {
   std::array<int64_t, kGrid> falloff_{};
 };
 
-// Ulichney's initial pattern: random cells, then the point of the tightest cluster moves to the largest
-// void until that is where it came from. A start without randomness would end in a lattice.
+// Ulichney's initial pattern: random cells, then the point of the tightest cluster moves to the
+// largest void until that is where it came from. A start without randomness would end in a lattice.
 std::vector<uint32_t> spreadPoints() {
   std::vector<uint32_t> points;
   std::vector<bool> taken(kCells, false);

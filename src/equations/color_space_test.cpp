@@ -6,9 +6,10 @@
 namespace reprise::eq {
 namespace {
 
-const vec3 kColors[] = {{0.0f, 0.0f, 0.0f},   {1.0f, 1.0f, 1.0f},      {0.2f, 0.7f, 0.1f},
-                        {12.0f, 0.03f, 4.0f}, {1.0e-3f, 0.0f, 2e-4f},  {900.0f, 1000.0f, 20.0f},
-                        {0.0f, 0.0f, 5.0f},   {65504.0f, 65504.0f, 65504.0f}};
+const vec3 kColors[] = {{0.0f, 0.0f, 0.0f},     {1.0f, 1.0f, 1.0f},
+                        {0.2f, 0.7f, 0.1f},     {12.0f, 0.03f, 4.0f},
+                        {1.0e-3f, 0.0f, 2e-4f}, {900.0f, 1000.0f, 20.0f},
+                        {0.0f, 0.0f, 5.0f},     {65504.0f, 65504.0f, 65504.0f}};
 
 void expectNear(vec3 a, vec3 b, float relative) {
   const float scale = max(max(abs(b.x), abs(b.y)), max(abs(b.z), 1e-6f));

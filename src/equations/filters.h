@@ -7,9 +7,13 @@
 EQ_BEGIN
 
 // 1 within `radius` (its edge belongs to it on one side only, so that boxes tile).
-EQ_FN float boxFilter(float x, float radius) { return x >= -radius && x < radius ? 1.0f : 0.0f; }
+EQ_FN float boxFilter(float x, float radius) {
+  return x >= -radius && x < radius ? 1.0f : 0.0f;
+}
 
-EQ_FN float tentFilter(float x, float radius) { return max(0.0f, 1.0f - abs(x) / radius); }
+EQ_FN float tentFilter(float x, float radius) {
+  return max(0.0f, 1.0f - abs(x) / radius);
+}
 
 // Mitchell, Netravali 1988, with B = C = 1/3; support 2.
 EQ_FN float mitchellFilter(float x) {
@@ -23,7 +27,9 @@ EQ_FN float mitchellFilter(float x) {
 
 // Karis 2014: a Gaussian that fits a Blackman-Harris window of 3.3 px support, standard deviation
 // sqrt(1 / 4.58) = 0.467 px.
-EQ_FN float blackmanHarrisFilter(float x) { return exp(-2.29f * x * x); }
+EQ_FN float blackmanHarrisFilter(float x) {
+  return exp(-2.29f * x * x);
+}
 
 // The window itself: four-term Blackman-Harris (Harris 1978) over `width`.
 EQ_FN float blackmanHarrisWindow(float x, float width) {
@@ -32,7 +38,9 @@ EQ_FN float blackmanHarrisWindow(float x, float width) {
   return 0.35875f - 0.48829f * cos(t) + 0.14128f * cos(2.0f * t) - 0.01168f * cos(3.0f * t);
 }
 
-EQ_FN float gaussianFilter(float x, float sigma) { return exp(-0.5f * x * x / (sigma * sigma)); }
+EQ_FN float gaussianFilter(float x, float sigma) {
+  return exp(-0.5f * x * x / (sigma * sigma));
+}
 
 // sinc(x) sinc(x / lobes), support `lobes`; Duchon 1979.
 EQ_FN float lanczosFilter(float x, float lobes) {
@@ -43,8 +51,8 @@ EQ_FN float lanczosFilter(float x, float lobes) {
   return sin(t) * sin(t / lobes) * lobes / (t * t);
 }
 
-// Weights of the four texels at -1, 0, 1, 2 for a position `f` in [0, 1) past texel 0: Keys 1981 with
-// a = -c. c = 0.5 is Catmull-Rom; they sum to 1 for every c.
+// Weights of the four texels at -1, 0, 1, 2 for a position `f` in [0, 1) past texel 0: Keys 1981
+// with a = -c. c = 0.5 is Catmull-Rom; they sum to 1 for every c.
 EQ_FN vec4 cubicWeights(float f, float c) {
   float f2 = f * f;
   float f3 = f2 * f;
@@ -57,11 +65,15 @@ EQ_FN vec4 cubicWeights(float f, float c) {
 EQ_FN vec3 mergedCubicWeights(vec4 weights) {
   return vec3(weights.x, weights.y + weights.z, weights.w);
 }
-EQ_FN float mergedCubicOffset(vec4 weights) { return weights.z / (weights.y + weights.z); }
+EQ_FN float mergedCubicOffset(vec4 weights) {
+  return weights.z / (weights.y + weights.z);
+}
 
-// What is left of the nine fetches' weight, 1, when the four corners are dropped: at least 63/64 for
-// c = 0.5.
-EQ_FN float fiveTapWeight(vec3 x, vec3 y) { return 1.0f - (x.x + x.z) * (y.x + y.z); }
+// What is left of the nine fetches' weight, 1, when the four corners are dropped: at least 63/64
+// for c = 0.5.
+EQ_FN float fiveTapWeight(vec3 x, vec3 y) {
+  return 1.0f - (x.x + x.z) * (y.x + y.z);
+}
 
 EQ_END
 #endif

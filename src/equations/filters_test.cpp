@@ -13,10 +13,10 @@ namespace {
 struct Filter {
   std::string name;
   std::function<float(float)> at;
-  float support;    // 0 from here on; for the Gaussians: below `beyond`
+  float support;  // 0 from here on; for the Gaussians: below `beyond`
   float beyond;
-  float integral;   // over the whole line
-  bool tiles;       // copies at whole pixels sum to a constant
+  float integral;  // over the whole line
+  bool tiles;      // copies at whole pixels sum to a constant
 };
 
 // Integrals by hand: Blackman-Harris window its constant term times the width; Gaussians
@@ -58,7 +58,8 @@ TEST(Filters, IntegralMatchesQuadrature) {
   for (const Filter& f : filters()) {
     double sum = 0.0;
     const int steps = 120000;
-    for (int i = 0; i < steps; ++i) sum += f.at(-6.0f + 12.0f * (static_cast<float>(i) + 0.5f) / steps);
+    for (int i = 0; i < steps; ++i)
+      sum += f.at(-6.0f + 12.0f * (static_cast<float>(i) + 0.5f) / steps);
     EXPECT_NEAR(sum * 12.0 / steps, f.integral, 2e-4) << f.name;
   }
 }

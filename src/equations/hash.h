@@ -6,18 +6,22 @@
 #include "equations/language.h"
 EQ_BEGIN
 
-// One step of a 32-bit PCG with its output permutation (RXS-M-XS). O'Neill 2014; Jarzynski, Olano 2020,
-// "Hash Functions for GPU Rendering", JCGT 9(3).
+// One step of a 32-bit PCG with its output permutation (RXS-M-XS). O'Neill 2014; Jarzynski, Olano
+// 2020, "Hash Functions for GPU Rendering", JCGT 9(3).
 EQ_FN uint hashPcg(uint v) {
   uint state = v * 747796405u + 2891336453u;
   uint word = ((state >> ((state >> 28u) + 4u)) ^ state) * 277803737u;
   return (word >> 22u) ^ word;
 }
 
-EQ_FN uint hashPixel(uint x, uint y, uint seed) { return hashPcg(x + hashPcg(y + hashPcg(seed))); }
+EQ_FN uint hashPixel(uint x, uint y, uint seed) {
+  return hashPcg(x + hashPcg(y + hashPcg(seed)));
+}
 
 // [0, 1): the upper 24 bits, so that the result is exact and never rounds to 1.
-EQ_FN float unitFloat(uint bits) { return float(bits >> 8u) * (1.0f / 16777216.0f); }
+EQ_FN float unitFloat(uint bits) {
+  return float(bits >> 8u) * (1.0f / 16777216.0f);
+}
 
 // Two independent normal deviates from two words, by Box and Muller 1958. The first uniform number
 // is in (0, 1].

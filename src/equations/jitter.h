@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Where in the pixel a frame samples: offsets from the pixel centre in px, x right, y down, within
-// (-0.5, 0.5]. The jitter of the frame is the negative: sample_px = centre - jitter_px. All are pure
-// functions of the index.
+// (-0.5, 0.5]. The jitter of the frame is the negative: sample_px = centre - jitter_px. All are
+// pure functions of the index.
 #ifndef REPRISE_EQUATIONS_JITTER_H
 #define REPRISE_EQUATIONS_JITTER_H
 
@@ -36,8 +36,9 @@ EQ_FN vec2 haltonOffset(uint index) {
   return vec2(radicalInverse(2u, index + 1u) - 0.5f, radicalInverse(3u, index + 1u) - 0.5f);
 }
 
-// Roberts 2018: additive recurrence by the reciprocals of the plastic number and its square. Written
-// in 32-bit fixed point, so that high indices keep their fraction: multiples of round(2^32 / g).
+// Roberts 2018: additive recurrence by the reciprocals of the plastic number and its square.
+// Written in 32-bit fixed point, so that high indices keep their fraction: multiples of round(2^32
+// / g).
 EQ_FN vec2 r2Offset(uint index) {
   uint x = 0x80000000u + (index + 1u) * 3242174889u;
   uint y = 0x80000000u + (index + 1u) * 2447445414u;
@@ -53,8 +54,8 @@ EQ_FN uint reverseBits(uint v) {
   return (v >> 16u) | (v << 16u);
 }
 
-// Second dimension of Sobol's sequence; the first is reverseBits. Direction numbers 1, 3, 5, 15 ...:
-// each is the one before xor itself shifted (Sobol 1967; Burley 2020).
+// Second dimension of Sobol's sequence; the first is reverseBits. Direction numbers 1, 3, 5, 15
+// ...: each is the one before xor itself shifted (Sobol 1967; Burley 2020).
 EQ_FN uint sobolSecond(uint index) {
   uint result = 0u;
   uint direction = 0x80000000u;
@@ -101,8 +102,8 @@ EQ_FN uint greatestCommonDivisor(uint a, uint b) {
   return a;
 }
 
-// A multiplier near length / golden ratio that shares no factor with `length`: x -> k x mod length is
-// then a permutation, and a near-golden k spreads it.
+// A multiplier near length / golden ratio that shares no factor with `length`: x -> k x mod length
+// is then a permutation, and a near-golden k spreads it.
 EQ_FN uint rookStep(uint length) {
   uint step = uint(float(length) * 0.618034f + 0.5f);
   if (step == 0u) step = 1u;
@@ -111,8 +112,9 @@ EQ_FN uint rookStep(uint length) {
 }
 
 // N-rooks (Shirley 1991): each of `length` columns and rows is used once. A rank-1 lattice, whose
-// columns are visited in golden-ratio steps so that neighbouring frames lie apart. Modulo 4 and 6 every
-// multiplier gives a diagonal; there 1..length modulo the prime length + 1 is the permutation.
+// columns are visited in golden-ratio steps so that neighbouring frames lie apart. Modulo 4 and 6
+// every multiplier gives a diagonal; there 1..length modulo the prime length + 1 is the
+// permutation.
 EQ_FN vec2 nRooksOffset(uint index, uint length) {
   uint step = rookStep(length);
   uint column = (index * step) % length;
@@ -138,19 +140,43 @@ EQ_FN vec2 msaa8Offset(uint index) {
   uint i = index % 8u;
   float x = 1.0f;
   float y = 1.0f;
-  if (i == 0u) { x = 9.0f; y = 5.0f; }
-  if (i == 1u) { x = 7.0f; y = 11.0f; }
-  if (i == 2u) { x = 13.0f; y = 9.0f; }
-  if (i == 3u) { x = 5.0f; y = 3.0f; }
-  if (i == 4u) { x = 3.0f; y = 13.0f; }
-  if (i == 5u) { x = 1.0f; y = 7.0f; }
-  if (i == 6u) { x = 11.0f; y = 15.0f; }
-  if (i == 7u) { x = 15.0f; y = 1.0f; }
+  if (i == 0u) {
+    x = 9.0f;
+    y = 5.0f;
+  }
+  if (i == 1u) {
+    x = 7.0f;
+    y = 11.0f;
+  }
+  if (i == 2u) {
+    x = 13.0f;
+    y = 9.0f;
+  }
+  if (i == 3u) {
+    x = 5.0f;
+    y = 3.0f;
+  }
+  if (i == 4u) {
+    x = 3.0f;
+    y = 13.0f;
+  }
+  if (i == 5u) {
+    x = 1.0f;
+    y = 7.0f;
+  }
+  if (i == 6u) {
+    x = 11.0f;
+    y = 15.0f;
+  }
+  if (i == 7u) {
+    x = 15.0f;
+    y = 1.0f;
+  }
   return vec2(x / 16.0f - 0.5f, y / 16.0f - 0.5f);
 }
 
-// Vulkan's standard positions of 16 samples, likewise: both sixteenths of a sample in one byte, x in
-// the low half, four samples a word.
+// Vulkan's standard positions of 16 samples, likewise: both sixteenths of a sample in one byte, x
+// in the low half, four samples a word.
 EQ_FN vec2 msaa16Offset(uint index) {
   uint i = index % 16u;
   uint word = i < 4u ? 0x7ca55799u : i < 8u ? 0x3bbdda63u : i < 12u ? 0xc22418e6u : 0x01fe4f80u;
@@ -160,7 +186,9 @@ EQ_FN vec2 msaa16Offset(uint index) {
 }
 
 // And of 2: the three quarters and the quarter of the diagonal.
-EQ_FN vec2 msaa2Offset(uint index) { return vec2(index % 2u == 0u ? 0.25f : -0.25f); }
+EQ_FN vec2 msaa2Offset(uint index) {
+  return vec2(index % 2u == 0u ? 0.25f : -0.25f);
+}
 
 // Uniform4 helix of INSIDE (Pedersen 2016): quarter points, diagonal after diagonal.
 EQ_FN vec2 helixOffset(uint index) {
@@ -171,9 +199,11 @@ EQ_FN vec2 helixOffset(uint index) {
   return vec2(-0.25f, 0.25f);
 }
 
-// Length of a Halton cycle that covers the output pixels when the output has `scale` times the input's
-// pixels an axis: 8, 18, 32 for 1, 1.5, 2 (FSR 2).
-EQ_FN uint upscalingLength(float scale) { return uint(8.0f * scale * scale); }
+// Length of a Halton cycle that covers the output pixels when the output has `scale` times the
+// input's pixels an axis: 8, 18, 32 for 1, 1.5, 2 (FSR 2).
+EQ_FN uint upscalingLength(float scale) {
+  return uint(8.0f * scale * scale);
+}
 
 // Frames after which `sequence` repeats when `length` are asked for: fixed patterns keep their own.
 EQ_FN uint jitterPeriod(uint sequence, uint length) {

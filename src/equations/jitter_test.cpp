@@ -1,6 +1,4 @@
 // SPDX-License-Identifier: MIT
-#include "equations/jitter_sequence.h"
-
 #include <gtest/gtest.h>
 
 #include <set>
@@ -9,13 +7,14 @@
 
 #include "equations/blue_noise.h"
 #include "equations/hash.h"
+#include "equations/jitter_sequence.h"
 
 namespace reprise::eq {
 namespace {
 
-constexpr uint32_t kSequences[] = {
-    kSequenceNone,   kSequenceHalton,      kSequenceR2,    kSequenceSobol,    kSequenceNRooks,
-    kSequenceRotatedGrid, kSequenceMsaa8, kSequenceHelix, kSequenceBlueNoise};
+constexpr uint32_t kSequences[] = {kSequenceNone,  kSequenceHalton, kSequenceR2,
+                                   kSequenceSobol, kSequenceNRooks, kSequenceRotatedGrid,
+                                   kSequenceMsaa8, kSequenceHelix,  kSequenceBlueNoise};
 
 TEST(Jitter, RadicalInverseOfBases2And3) {
   const float base_2[] = {1 / 2.f, 1 / 4.f, 3 / 4.f, 1 / 8.f, 5 / 8.f, 3 / 8.f, 7 / 8.f, 1 / 16.f};
@@ -83,7 +82,8 @@ void expectStratified(Point point) {
 
 TEST(Jitter, SobolIsStratifiedInEveryElementaryInterval) {
   expectStratified([](uint32_t i) {
-    return vec2(static_cast<float>(reverseBits(i) >> 8u), static_cast<float>(sobolSecond(i) >> 8u)) /
+    return vec2(static_cast<float>(reverseBits(i) >> 8u),
+                static_cast<float>(sobolSecond(i) >> 8u)) /
            16777216.0f;
   });
 }
@@ -140,8 +140,8 @@ TEST(Jitter, StandardSamplePositions) {
   // Vulkan's table in sixteenths from the corner.
   const int of_4[][2] = {{6, 2}, {14, 6}, {2, 10}, {10, 14}};
   const int of_8[][2] = {{9, 5}, {7, 11}, {13, 9}, {5, 3}, {3, 13}, {1, 7}, {11, 15}, {15, 1}};
-  const int of_16[][2] = {{9, 9}, {7, 5},  {5, 10}, {12, 7}, {3, 6},  {10, 13}, {13, 11}, {11, 3},
-                          {6, 14}, {8, 1}, {4, 2},  {2, 12}, {0, 8},  {15, 4},  {14, 15}, {1, 0}};
+  const int of_16[][2] = {{9, 9},  {7, 5}, {5, 10}, {12, 7}, {3, 6}, {10, 13}, {13, 11}, {11, 3},
+                          {6, 14}, {8, 1}, {4, 2},  {2, 12}, {0, 8}, {15, 4},  {14, 15}, {1, 0}};
   const auto offset = [](const int* p) {
     return vec2(static_cast<float>(p[0]), static_cast<float>(p[1])) / 16.0f - vec2(0.5f);
   };
@@ -282,7 +282,9 @@ TEST(BlueNoise, IsNoLattice) {
 
 TEST(BlueNoise, IsTheSameOnEveryCompiler) {
   const auto& points = blueNoiseSequence();
-  const vec2 first[] = {{.0078125f, .0078125f}, {.4921875f, .0234375f}, {-.2265625f, .4140625f},
+  const vec2 first[] = {{.0078125f, .0078125f},
+                        {.4921875f, .0234375f},
+                        {-.2265625f, .4140625f},
                         {.3671875f, .3984375f}};
   for (size_t i = 0; i < 4; ++i) {
     EXPECT_EQ(points[i].x, first[i].x) << i;

@@ -3,9 +3,10 @@
 // What lets one text be GLSL 450 and C++20. In GLSL: three macros. In C++: the few vector types and
 // builtins that the equations use, with GLSL's meaning, in namespace reprise::eq.
 //
-// Rules for text in the common subset: arguments and results by value; components by .x .y .z .w only;
-// `f` on float literals and `u` on unsigned ones; conversions written out (float(i), uint(x)); no
-// bool, vec3 or array in a struct that both languages lay out; no % or / on negative integers.
+// Rules for text in the common subset: arguments and results by value; components by .x .y .z .w
+// only; `f` on float literals and `u` on unsigned ones; conversions written out (float(i),
+// uint(x)); no bool, vec3 or array in a struct that both languages lay out; no % or / on negative
+// integers.
 #ifndef REPRISE_EQUATIONS_LANGUAGE_H
 #define REPRISE_EQUATIONS_LANGUAGE_H
 
@@ -71,7 +72,9 @@ struct ivec2 {
 };
 
 template <typename V>
-concept Vector = requires { V::kSize; };
+concept Vector = requires {
+  V::kSize;
+};
 
 // The component-wise image of one, two or three vectors.
 template <Vector V, typename F>
@@ -91,22 +94,22 @@ template <Vector V>
 constexpr V operator-(V a) {
   return mapped(a, [](float x) { return -x; });
 }
-#define EQ_VECTOR_OPERATOR(op)                                                \
-  template <Vector V>                                                         \
-  constexpr V operator op(V a, V b) {                                         \
-    return mapped(a, b, [](float x, float y) { return x op y; });             \
-  }                                                                           \
-  template <Vector V>                                                         \
-  constexpr V operator op(V a, float s) {                                     \
-    return a op V(s);                                                         \
-  }                                                                           \
-  template <Vector V>                                                         \
-  constexpr V operator op(float s, V a) {                                     \
-    return V(s) op a;                                                         \
-  }                                                                           \
-  template <Vector V, typename T>                                             \
-  constexpr V& operator op##=(V& a, T b) {                                    \
-    return a = a op b;                                                        \
+#define EQ_VECTOR_OPERATOR(op)                                    \
+  template <Vector V>                                             \
+  constexpr V operator op(V a, V b) {                             \
+    return mapped(a, b, [](float x, float y) { return x op y; }); \
+  }                                                               \
+  template <Vector V>                                             \
+  constexpr V operator op(V a, float s) {                         \
+    return a op V(s);                                             \
+  }                                                               \
+  template <Vector V>                                             \
+  constexpr V operator op(float s, V a) {                         \
+    return V(s) op a;                                             \
+  }                                                               \
+  template <Vector V, typename T>                                 \
+  constexpr V& operator op##=(V& a, T b) {                        \
+    return a = a op b;                                            \
   }
 EQ_VECTOR_OPERATOR(+)
 EQ_VECTOR_OPERATOR(-)
@@ -135,26 +138,66 @@ constexpr mat4 operator*(const mat4& a, const mat4& b) {
 }
 
 // GLSL's builtins. min and max return the first argument where neither is smaller (larger).
-constexpr float min(float a, float b) { return b < a ? b : a; }
-constexpr float max(float a, float b) { return a < b ? b : a; }
-constexpr uint min(uint a, uint b) { return b < a ? b : a; }
-constexpr uint max(uint a, uint b) { return a < b ? b : a; }
-constexpr float clamp(float x, float low, float high) { return min(max(x, low), high); }
-constexpr float mix(float a, float b, float t) { return a * (1.0f - t) + b * t; }
-constexpr float sign(float x) { return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : 0.0f; }
-inline float abs(float x) { return std::fabs(x); }
-inline float floor(float x) { return std::floor(x); }
-inline float fract(float x) { return x - std::floor(x); }
-inline float sqrt(float x) { return std::sqrt(x); }
-inline float exp(float x) { return std::exp(x); }
-inline float exp2(float x) { return std::exp2(x); }
-inline float log(float x) { return std::log(x); }
-inline float log2(float x) { return std::log2(x); }
-inline float pow(float x, float y) { return std::pow(x, y); }
-inline float sin(float x) { return std::sin(x); }
-inline float cos(float x) { return std::cos(x); }
-inline uint floatBitsToUint(float x) { return std::bit_cast<uint>(x); }
-inline float uintBitsToFloat(uint x) { return std::bit_cast<float>(x); }
+constexpr float min(float a, float b) {
+  return b < a ? b : a;
+}
+constexpr float max(float a, float b) {
+  return a < b ? b : a;
+}
+constexpr uint min(uint a, uint b) {
+  return b < a ? b : a;
+}
+constexpr uint max(uint a, uint b) {
+  return a < b ? b : a;
+}
+constexpr float clamp(float x, float low, float high) {
+  return min(max(x, low), high);
+}
+constexpr float mix(float a, float b, float t) {
+  return a * (1.0f - t) + b * t;
+}
+constexpr float sign(float x) {
+  return x > 0.0f ? 1.0f : x < 0.0f ? -1.0f : 0.0f;
+}
+inline float abs(float x) {
+  return std::fabs(x);
+}
+inline float floor(float x) {
+  return std::floor(x);
+}
+inline float fract(float x) {
+  return x - std::floor(x);
+}
+inline float sqrt(float x) {
+  return std::sqrt(x);
+}
+inline float exp(float x) {
+  return std::exp(x);
+}
+inline float exp2(float x) {
+  return std::exp2(x);
+}
+inline float log(float x) {
+  return std::log(x);
+}
+inline float log2(float x) {
+  return std::log2(x);
+}
+inline float pow(float x, float y) {
+  return std::pow(x, y);
+}
+inline float sin(float x) {
+  return std::sin(x);
+}
+inline float cos(float x) {
+  return std::cos(x);
+}
+inline uint floatBitsToUint(float x) {
+  return std::bit_cast<uint>(x);
+}
+inline float uintBitsToFloat(uint x) {
+  return std::bit_cast<float>(x);
+}
 
 constexpr uint bitfieldReverse(uint x) {
   uint reversed = 0u;

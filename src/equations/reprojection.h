@@ -11,22 +11,33 @@ EQ_FN float viewDepthFromDepth(vec4 k, float depth) {
   return (k.x * depth + k.y) / (k.z * depth + k.w);
 }
 
-// View depth in the previous frame of a point that did not move in the world and is now at `px` with
-// `view_depth` (previousDepthCoefficients).
+// View depth in the previous frame of a point that did not move in the world and is now at `px`
+// with `view_depth` (previousDepthCoefficients).
 EQ_FN float expectedPreviousDepth(vec4 k, vec2 px, float view_depth) {
   return view_depth * (k.x * px.x + k.y * px.y + k.z) + k.w;
 }
 
 // Screen spaces: x right, y down; pixels with centres at + 0.5, uv [0, 1], NDC [-1, 1] (Vulkan).
-EQ_FN vec2 uvFromPx(vec2 px, vec2 extent_px) { return px / extent_px; }
-EQ_FN vec2 pxFromUv(vec2 uv, vec2 extent_px) { return uv * extent_px; }
-EQ_FN vec2 ndcFromUv(vec2 uv) { return uv * 2.0f - vec2(1.0f); }
-EQ_FN vec2 uvFromNdc(vec2 ndc) { return ndc * 0.5f + vec2(0.5f); }
+EQ_FN vec2 uvFromPx(vec2 px, vec2 extent_px) {
+  return px / extent_px;
+}
+EQ_FN vec2 pxFromUv(vec2 uv, vec2 extent_px) {
+  return uv * extent_px;
+}
+EQ_FN vec2 ndcFromUv(vec2 uv) {
+  return uv * 2.0f - vec2(1.0f);
+}
+EQ_FN vec2 uvFromNdc(vec2 ndc) {
+  return ndc * 0.5f + vec2(0.5f);
+}
 // What a jitter adds to clip.xy / clip.w; y changes sign where clip space has y up.
-EQ_FN vec2 ndcFromJitter(vec2 jitter_px, vec2 extent_px) { return jitter_px * 2.0f / extent_px; }
+EQ_FN vec2 ndcFromJitter(vec2 jitter_px, vec2 extent_px) {
+  return jitter_px * 2.0f / extent_px;
+}
 
-// One-sided: false only if the point now seen lies behind what the history saw there, so that it was
-// hidden. A point in front may be the same one: history depth of a silhouette can be the background's.
+// One-sided: false only if the point now seen lies behind what the history saw there, so that it
+// was hidden. A point in front may be the same one: history depth of a silhouette can be the
+// background's.
 EQ_FN bool wasVisible(float expected_depth, float history_depth, float tolerance) {
   return expected_depth <= history_depth * (1.0f + tolerance);
 }
@@ -36,13 +47,15 @@ EQ_FN bool depthsAgree(float a, float b, float tolerance) {
   return abs(a - b) <= tolerance * max(a, b);
 }
 
-// Inside the frame, half a pixel of border included: the outermost texels are still to be had there.
+// Inside the frame, half a pixel of border included: the outermost texels are still to be had
+// there.
 EQ_FN bool isOnScreen(vec2 px, vec2 extent_px) {
   return px.x >= 0.0f && px.y >= 0.0f && px.x <= extent_px.x && px.y <= extent_px.y;
 }
 
-// Bilinear weights of the texels (0,0) (1,0) (0,1) (1,1) for the fraction (fx, fy), with those whose
-// `valid` is 0 left out and the rest renormalized. Valid texels that bilinear gives no weight share it.
+// Bilinear weights of the texels (0,0) (1,0) (0,1) (1,1) for the fraction (fx, fy), with those
+// whose `valid` is 0 left out and the rest renormalized. Valid texels that bilinear gives no weight
+// share it.
 EQ_FN vec4 validTapWeights(float fx, float fy, vec4 valid) {
   vec4 w = vec4((1.0f - fx) * (1.0f - fy), fx * (1.0f - fy), (1.0f - fx) * fy, fx * fy);
   w = (w + vec4(1.0e-4f)) * valid;
@@ -70,12 +83,18 @@ inline vec4 viewDepthCoefficients(int kind, float near_plane, float far_plane) {
   const float f = far_plane;
   const float ratio = n / f;
   switch (kind) {
-    case 0: return vec4(0.0f, n, ratio - 1.0f, 1.0f);   // device
-    case 1: return vec4(0.0f, n, 1.0f - ratio, ratio);  // device, reversed
-    case 2: return vec4(0.0f, n, -1.0f, 1.0f);        // device, infinite
-    case 3: return vec4(0.0f, n, 1.0f, 0.0f);         // reversed, infinite
-    case 5: return vec4(f - n, n, 0.0f, 1.0f);        // orthographic
-    default: return vec4(1.0f, 0.0f, 0.0f, 1.0f);     // planar
+    case 0:
+      return vec4(0.0f, n, ratio - 1.0f, 1.0f);  // device
+    case 1:
+      return vec4(0.0f, n, 1.0f - ratio, ratio);  // device, reversed
+    case 2:
+      return vec4(0.0f, n, -1.0f, 1.0f);  // device, infinite
+    case 3:
+      return vec4(0.0f, n, 1.0f, 0.0f);  // reversed, infinite
+    case 5:
+      return vec4(f - n, n, 0.0f, 1.0f);  // orthographic
+    default:
+      return vec4(1.0f, 0.0f, 0.0f, 1.0f);  // planar
   }
 }
 

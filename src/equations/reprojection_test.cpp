@@ -94,8 +94,8 @@ TEST(PreviousDepth, MatchesProjectingPointsThroughBothCameras) {
   const Matrix now = view(vec3(3.0f, 1.5f, -4.0f), 0.7f, -0.2f);
   const Matrix then = view(vec3(2.6f, 1.7f, -4.9f), 0.55f, -0.1f);
   const vec2 extent_px(320.0f, 180.0f);
-  const vec4 k =
-      previousDepthCoefficients(now.data(), projection.data(), then.data(), extent_px.x, extent_px.y);
+  const vec4 k = previousDepthCoefficients(now.data(), projection.data(), then.data(), extent_px.x,
+                                           extent_px.y);
   int seen = 0;
   for (uint32_t i = 0; i < 2000; ++i) {
     const vec4 world(20.0f * unitFloat(hashPixel(i, 0, 0)) - 10.0f,
@@ -131,7 +131,8 @@ TEST(PreviousDepth, OrthographicCamerasThatDoNotTurn) {
   projection[15] = 1.0f;
   const Matrix now = view(vec3(0.0f, 0.0f, 2.0f), 0.0f, 0.0f);
   const Matrix then = view(vec3(5.0f, 1.0f, 3.5f), 0.0f, 0.0f);
-  const vec4 k = previousDepthCoefficients(now.data(), projection.data(), then.data(), 64.0f, 64.0f);
+  const vec4 k =
+      previousDepthCoefficients(now.data(), projection.data(), then.data(), 64.0f, 64.0f);
   // The camera came 1.5 closer, looking along -z.
   EXPECT_NEAR(expectedPreviousDepth(k, vec2(3.0f, 50.0f), 4.0f), 5.5f, 1e-5f);
 }

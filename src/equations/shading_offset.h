@@ -11,8 +11,8 @@ EQ_FN vec2 quadrantOffset(uint quadrant) {
   return vec2((quadrant & 2u) != 0u ? 0.25f : -0.25f, (quadrant & 1u) != 0u ? 0.25f : -0.25f);
 }
 
-// The quadrant that a frame updates: the paper's order of period 32 (its section 5.1), two bits a frame
-// from the lowest. Round robin lets the image drift (its Figure 6).
+// The quadrant that a frame updates: the paper's order of period 32 (its section 5.1), two bits a
+// frame from the lowest. Round robin lets the image drift (its Figure 6).
 EQ_CONST uint kQuadrantPeriod = 32u;
 EQ_FN uint quadrantOfFrame(uint frame_index) {
   uint phase = frame_index % kQuadrantPeriod;

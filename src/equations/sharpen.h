@@ -28,8 +28,8 @@ EQ_FN float sharpenNoiseFactor(float up, float left, float centre, float right, 
 EQ_FN vec3 sharpened(vec3 up, vec3 left, vec3 centre, vec3 right, vec3 down, float strength) {
   vec3 low = min(min(up, left), min(right, down));
   vec3 high = max(max(up, left), max(right, down));
-  float lobe = max(sharpenLobe(low.x, high.x),
-                   max(sharpenLobe(low.y, high.y), sharpenLobe(low.z, high.z)));
+  float lobe =
+      max(sharpenLobe(low.x, high.x), max(sharpenLobe(low.y, high.y), sharpenLobe(low.z, high.z)));
   lobe = clamp(lobe, -kSharpenLimit, 0.0f) * strength;
   return ((up + left + right + down) * lobe + centre) / (4.0f * lobe + 1.0f);
 }

@@ -43,7 +43,8 @@ vec3 brickAlbedo(vec2 uv, BrickCell cell, float footprint) {
   float grain_share = shownShare(320.0, footprint);
   float grain = mix(0.5, valueNoise(uv * 320.0, 5u), grain_share);
   if (cell.inside_m < 0.0) {
-    float speckle = mix(0.5, latticeValue(ivec2(floor(uv * 700.0)), 9u), shownShare(700.0, footprint));
+    float speckle =
+        mix(0.5, latticeValue(ivec2(floor(uv * 700.0)), 9u), shownShare(700.0, footprint));
     return vec3(0.58, 0.55, 0.49) * (0.65 + 0.3 * grain + 0.35 * speckle);
   }
   float shade = float((cell.hash >> 3) & 255u) / 255.0;
@@ -60,7 +61,8 @@ vec3 shadeBrick(SurfacePoint s, GpuLight light) {
   vec3 albedo = brickAlbedo(s.uv, cell, uvFootprint(s));
   float height = brickHeight(s.uv);
   vec2 slope = vec2(brickHeight(s.uv + vec2(kBumpStep_m, 0.0)) - height,
-                    brickHeight(s.uv + vec2(0.0, kBumpStep_m)) - height) / kBumpStep_m;
+                    brickHeight(s.uv + vec2(0.0, kBumpStep_m)) - height) /
+               kBumpStep_m;
   // The wall lies in x and y: its tangents are the world's.
   vec3 normal = normalize(s.normal_world - vec3(slope, 0.0));
   vec3 to_light = light.position_world.xyz - s.position_world;

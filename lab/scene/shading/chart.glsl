@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
-// Resolution chart. uv in metres, 16 x 9 of them; patterns repeat every 1.6 x 0.9 m so that a panning
-// camera always sees them. Black and white, unlit, linear values 0.02 and 0.8.
+// Resolution chart. uv in metres, 16 x 9 of them; patterns repeat every 1.6 x 0.9 m so that a
+// panning camera always sees them. Black and white, unlit, linear values 0.02 and 0.8.
 #ifndef REPRISE_LAB_CHART_GLSL
 #define REPRISE_LAB_CHART_GLSL
 

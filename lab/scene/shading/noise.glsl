@@ -16,12 +16,13 @@ float valueNoise(vec2 p, uint seed) {
   f = f * f * (3.0 - 2.0 * f);
   ivec2 cell = ivec2(base);
   float bottom = mix(latticeValue(cell, seed), latticeValue(cell + ivec2(1, 0), seed), f.x);
-  float top = mix(latticeValue(cell + ivec2(0, 1), seed), latticeValue(cell + ivec2(1, 1), seed), f.x);
+  float top =
+      mix(latticeValue(cell + ivec2(0, 1), seed), latticeValue(cell + ivec2(1, 1), seed), f.x);
   return mix(bottom, top, f.y);
 }
 
-// Share of a pattern of `frequency` (features a unit of uv) that a pixel of that footprint shows; the
-// rest is its mean. Full up to half a feature a pixel, none above one and a half.
+// Share of a pattern of `frequency` (features a unit of uv) that a pixel of that footprint shows;
+// the rest is its mean. Full up to half a feature a pixel, none above one and a half.
 float shownShare(float frequency, float footprint) {
   return clamp(1.5 - frequency * footprint, 0.0, 1.0);
 }

@@ -5,13 +5,13 @@
 // A point of a surface to be shaded, with how far it moves for a step of one pixel.
 struct SurfacePoint {
   vec3 position_world;
-  vec3 normal_world;   // unit, towards the eye
-  vec3 to_eye_world;   // unit
+  vec3 normal_world;  // unit, towards the eye
+  vec3 to_eye_world;  // unit
   vec2 uv;
-  vec2 uv_dx;          // d uv / d px.x
-  vec2 uv_dy;          // d uv / d px.y
-  float mip_bias;      // levels
-  vec4 parameters;     // of the material
+  vec2 uv_dx;       // d uv / d px.x
+  vec2 uv_dy;       // d uv / d px.y
+  float mip_bias;   // levels
+  vec4 parameters;  // of the material
 };
 
 // Side of the pixel's footprint in uv, scaled by the mip bias as a texture's level would be.

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
 //
 // Jittered reverse reprojection. Nehab et al. 2007, "Accelerating Real-Time Shading with Reverse
-// Reprojection Caching"; Scherzer et al. 2007, "Pixel-Correct Shadow Maps with Temporal Reprojection
-// and Shadow Test Confidence": one buffer, bilinear fetch, depth test on the interpolated depth,
-// constant blending factor.
+// Reprojection Caching"; Scherzer et al. 2007, "Pixel-Correct Shadow Maps with Temporal
+// Reprojection and Shadow Test Confidence": one buffer, bilinear fetch, depth test on the
+// interpolated depth, constant blending factor.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -19,7 +19,9 @@ layout(binding = 2) uniform sampler2D motion_image;
 layout(binding = 3) uniform sampler2D history_image;  // rgb, a: view depth
 layout(binding = 4) writeonly uniform image2D next_history_image;
 layout(binding = 5) writeonly uniform image2D output_image;
-layout(binding = 6, std140) uniform Constants { ReprojectionConstants k; };
+layout(binding = 6, std140) uniform Constants {
+  ReprojectionConstants k;
+};
 
 // Depth lies in the alpha of an RGBA16F image; what is farther than a half can say is equally far.
 const float kFarthestHalf = 65504.0;

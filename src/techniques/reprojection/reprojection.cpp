@@ -15,17 +15,20 @@ constexpr uint32_t kShader[] = {
 enum Setting : uint32_t { kAlpha, kJitterLength, kDepthTolerance, kSettingCount };
 
 constexpr auto kSettings = settingTable({
-    numberSetting(kAlpha, "alpha", 0.1, 0.001, 1.0, "",
-                  "weight of the current sample; raising it blurs less in motion and averages fewer "
-                  "samples: (2 - alpha) / alpha of them at rest",
-                  "Nehab et al. 2007; Yang et al. 2009 choose it for each scene by PSNR"),
-    integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames",
-                   "length of the Halton(2,3) cycle of sample positions over the pixel; 1: the centre",
-                   "Scherzer et al. 2007 jitter uniformly over the pixel"),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.001, 1.0, "relative",
-                  "largest relative difference of depths that still counts as the same surface; "
-                  "raising it keeps more history and more ghosts",
-                  "techniques named in Nehab et al. 2007 give no figure; 0.01 to 0.02 is customary"),
+    numberSetting(
+        kAlpha, "alpha", 0.1, 0.001, 1.0, "",
+        "weight of the current sample; raising it blurs less in motion and averages fewer "
+        "samples: (2 - alpha) / alpha of them at rest",
+        "Nehab et al. 2007; Yang et al. 2009 choose it for each scene by PSNR"),
+    integerSetting(
+        kJitterLength, "jitter_length", 16, 1, 1024, "frames",
+        "length of the Halton(2,3) cycle of sample positions over the pixel; 1: the centre",
+        "Scherzer et al. 2007 jitter uniformly over the pixel"),
+    numberSetting(
+        kDepthTolerance, "depth_tolerance", 0.02, 0.001, 1.0, "relative",
+        "largest relative difference of depths that still counts as the same surface; "
+        "raising it keeps more history and more ghosts",
+        "techniques named in Nehab et al. 2007 give no figure; 0.01 to 0.02 is customary"),
 });
 static_assert(kSettings.size() == kSettingCount);
 

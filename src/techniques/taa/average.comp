@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The mean of the last raw frames, reprojected, without feedback (Valient 2014): nothing is resampled
-// twice and nothing older than the window can ghost, at the price of few samples. Motion is chained
-// from frame to frame (eq. 8).
+// The mean of the last raw frames, reprojected, without feedback (Valient 2014): nothing is
+// resampled twice and nothing older than the window can ghost, at the price of few samples. Motion
+// is chained from frame to frame (eq. 8).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -18,8 +18,8 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
-// Frame t - i: rgb the raw colour; x the motion to t - i - 1 as two halves in px, y the bits of view
-// depth.
+// Frame t - i: rgb the raw colour; x the motion to t - i - 1 as two halves in px, y the bits of
+// view depth.
 layout(binding = 3) uniform sampler2D color_1;
 layout(binding = 4) uniform sampler2D color_2;
 layout(binding = 5) uniform sampler2D color_3;
@@ -34,7 +34,9 @@ layout(binding = 13) writeonly uniform image2D next_color_image;
 layout(binding = 14) writeonly uniform uimage2D next_surface_image;
 layout(binding = 15) writeonly uniform image2D resolved_image;  // for the sharpening pass
 layout(binding = 16) writeonly uniform image2D output_image;
-layout(binding = 17, std140) uniform Constants { TaaConstants k; };
+layout(binding = 17, std140) uniform Constants {
+  TaaConstants k;
+};
 
 struct Walk {
   vec2 px;           // where this pixel's point was in the frame reached
@@ -52,8 +54,8 @@ Walk stepBack(Walk walk, sampler2D color, usampler2D surface, float age, vec3 cu
   vec2 inside_px = clamp(walk.px, vec2(0.5), last_center_px);
   uvec2 packed = texelFetch(surface, ivec2(inside_px), 0).xy;
   float view_depth = uintBitsToFloat(packed.y);
-  bool agree = kDepthTest == kDepthTestNone ||
-               walk.view_depth <= view_depth * (1.0 + k.depth_tolerance);
+  bool agree =
+      kDepthTest == kDepthTestNone || walk.view_depth <= view_depth * (1.0 + k.depth_tolerance);
   walk.valid = walk.valid && inside && agree && age < k.average_frames;
   vec4 texel = filteredHistory(color, inside_px, k.frame.history_texel_uv, last_center_px,
                                k.history_sharpness);

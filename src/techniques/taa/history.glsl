@@ -9,8 +9,8 @@ vec4 bilinearHistory(sampler2D image, vec2 px, vec2 texel_uv, vec2 last_px) {
   return textureLod(image, clamp(px, vec2(0.5), last_px) * texel_uv, 0.0);
 }
 
-// Bicubic with the two inner columns (and rows) merged into one bilinear fetch. Five fetches drop the
-// corners and renormalize: at most 1/64 of the weight.
+// Bicubic with the two inner columns (and rows) merged into one bilinear fetch. Five fetches drop
+// the corners and renormalize: at most 1/64 of the weight.
 vec4 cubicHistory(sampler2D image, vec2 px, vec2 texel_uv, vec2 last_px, float sharpness,
                   bool corners) {
   vec2 base_px = floor(px - 0.5) + 0.5;

@@ -11,8 +11,7 @@ vec3 filteredSample(vec3 s[9], TaaConstants k) {
   return s[0] * k.filter_weights_0_3.x + s[1] * k.filter_weights_0_3.y +
          s[2] * k.filter_weights_0_3.z + s[3] * k.filter_weights_0_3.w +
          s[4] * k.filter_weights_4_7.x + s[5] * k.filter_weights_4_7.y +
-         s[6] * k.filter_weights_4_7.z + s[7] * k.filter_weights_4_7.w +
-         s[8] * k.filter_weight_8;
+         s[6] * k.filter_weights_4_7.z + s[7] * k.filter_weights_4_7.w + s[8] * k.filter_weight_8;
 }
 
 struct Moments {
@@ -47,9 +46,9 @@ Bound extremes(vec3 s[9]) {
   return Bound(low, high);
 }
 
-// History is stored in halves and so is off by up to 2^-10 of its largest channel. Where the samples
-// share a hue (a grey wall) a bound has no extent along it, and clipping along a line would then take
-// all of history's detail for that rounding: bounds are grown by twice the error.
+// History is stored in halves and so is off by up to 2^-10 of its largest channel. Where the
+// samples share a hue (a grey wall) a bound has no extent along it, and clipping along a line would
+// then take all of history's detail for that rounding: bounds are grown by twice the error.
 const float kBoundSlack = 2.0 / 1024.0;
 
 float boundSlack(vec3 history, vec3 current) {
@@ -57,8 +56,8 @@ float boundSlack(vec3 history, vec3 current) {
   return kBoundSlack * max(largest.x, max(largest.y, largest.z));
 }
 
-// Along the line from the current sample, to where it leaves the slabs that hold all nine samples along
-// each of 16 axes (eq. 5c). `widen` scales each slab about its centre.
+// Along the line from the current sample, to where it leaves the slabs that hold all nine samples
+// along each of 16 axes (eq. 5c). `widen` scales each slab about its centre.
 vec3 clipToKdop(vec3 history, vec3 current, vec3 s[9], float widen) {
   vec3 travel = history - current;
   float slack = boundSlack(history, current);
@@ -78,7 +77,8 @@ vec3 clipToKdop(vec3 history, vec3 current, vec3 s[9], float widen) {
   return current + travel * t;
 }
 
-// Moves `history` into the bound of the neighbourhood. `widen` >= 1 scales the bound about its centre.
+// Moves `history` into the bound of the neighbourhood. `widen` >= 1 scales the bound about its
+// centre.
 vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) {
   if (kClip == kClipNone) return history;
   if (kClip == kClipKdop) return clipToKdop(history, current, s, widen);
@@ -103,8 +103,8 @@ vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) 
   return clampToBox(low, high, history);
 }
 
-// Antialiases along an edge of the current frame: a Gaussian that is short across the edge (along the
-// gradient) and long along it. Where there is no edge the sample stays.
+// Antialiases along an edge of the current frame: a Gaussian that is short across the edge (along
+// the gradient) and long along it. Where there is no edge the sample stays.
 vec3 smoothedAlongEdge(vec3 s[9], vec3 current) {
   float l[9];
   for (int i = 0; i < 9; ++i) l[i] = workingLuma(s[i]);

@@ -30,7 +30,9 @@ layout(binding = 10) writeonly uniform image2D next_depth_image;
 layout(binding = 11) writeonly uniform image2D next_motion_image;
 layout(binding = 12) writeonly uniform uimage2D next_id_image;
 layout(binding = 13) writeonly uniform image2D output_image;
-layout(binding = 14, std140) uniform Constants { TaaConstants k; };
+layout(binding = 14, std140) uniform Constants {
+  TaaConstants k;
+};
 
 // Motion below this is none: what half-precision motion images leave of a still camera (px).
 const float kStillMotion_px = 0.01;
@@ -124,8 +126,8 @@ void main() {
 
   vec2 texel_uv = k.frame.history_texel_uv;
   vec2 last_center_px = previous_extent_px - 0.5;
-  vec4 history = filteredHistory(history_image, inside_px, texel_uv, last_center_px,
-                                 k.history_sharpness);
+  vec4 history =
+      filteredHistory(history_image, inside_px, texel_uv, last_center_px, k.history_sharpness);
   // A loop, not a branch: CPU drivers run both sides of a branch for every pixel.
   for (int mixed = valid_count > 3.5 || valid_count < 0.5 ? 1 : 0; mixed < 1; ++mixed) {
     history = validHistory(history_image, inside_px, last_center_px, valid);
@@ -177,10 +179,10 @@ void main() {
   }
   vec3 result = fromWorking(mix(bounded, shown, alpha));
 
-  imageStore(next_history_image, px,
-             vec4(roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number,
-                                kDither != 0u),
-                  min(held + 1.0, 2048.0)));
+  imageStore(
+      next_history_image, px,
+      vec4(roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number, kDither != 0u),
+           min(held + 1.0, 2048.0)));
   if (kDepthTest != kDepthTestNone) {
     imageStore(next_depth_image, px, vec4(surface.view_depth, 0.0, 0.0, 0.0));
   }

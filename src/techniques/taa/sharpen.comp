@@ -15,7 +15,9 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(binding = 0) uniform sampler2D resolved_image;
 layout(binding = 1) writeonly uniform image2D output_image;
-layout(binding = 2, std140) uniform Constants { TaaConstants k; };
+layout(binding = 2, std140) uniform Constants {
+  TaaConstants k;
+};
 
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);

@@ -28,17 +28,23 @@ constexpr uint32_t kAverageHistory = 5;
 float filterWeight(uint32_t filter, float width, float dx_px, float dy_px) {
   const float distance_px = std::sqrt(dx_px * dx_px + dy_px * dy_px);
   switch (filter) {
-    case kInputBox: return eq::boxFilter(dx_px, 0.5f * width) * eq::boxFilter(dy_px, 0.5f * width);
-    case kInputTent: return eq::tentFilter(dx_px, width) * eq::tentFilter(dy_px, width);
-    case kInputMitchell: return eq::mitchellFilter(dx_px / width) * eq::mitchellFilter(dy_px / width);
-    case kInputBlackmanHarris: return eq::blackmanHarrisFilter(distance_px / width);
-    case kInputGaussian: return eq::gaussianFilter(distance_px, width);
-    default: return 0.0f;
+    case kInputBox:
+      return eq::boxFilter(dx_px, 0.5f * width) * eq::boxFilter(dy_px, 0.5f * width);
+    case kInputTent:
+      return eq::tentFilter(dx_px, width) * eq::tentFilter(dy_px, width);
+    case kInputMitchell:
+      return eq::mitchellFilter(dx_px / width) * eq::mitchellFilter(dy_px / width);
+    case kInputBlackmanHarris:
+      return eq::blackmanHarrisFilter(distance_px / width);
+    case kInputGaussian:
+      return eq::gaussianFilter(distance_px, width);
+    default:
+      return 0.0f;
   }
 }
 
-// Weights of the nine samples for the value at the pixel centre (eq. 1). The sample of the neighbour
-// at offset d lies at d - jitter from this pixel's centre.
+// Weights of the nine samples for the value at the pixel centre (eq. 1). The sample of the
+// neighbour at offset d lies at d - jitter from this pixel's centre.
 void fillFilterWeights(const FrameState& state, TaaConstants& constants) {
   float weights[9] = {};
   float sum = 0.0f;
@@ -98,12 +104,12 @@ class Taa final : public Technique {
       declareResolve(declaration);
     }
     if (sharpen_on_) {
-      sharpen_ = declaration.pass(
-          {.name = "sharpen",
-           .spirv = kSharpenShader,
-           .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
-           .constant_bytes = sizeof(TaaConstants),
-           .specialization = {}});
+      sharpen_ =
+          declaration.pass({.name = "sharpen",
+                            .spirv = kSharpenShader,
+                            .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
+                            .constant_bytes = sizeof(TaaConstants),
+                            .specialization = {}});
     }
   }
 
@@ -207,16 +213,16 @@ class Taa final : public Technique {
     raw_surface_ = d.history("raw motion and depth", VK_FORMAT_R32G32_UINT, extent, frames);
     resolved_ = d.history("resolved color", VK_FORMAT_R16G16B16A16_SFLOAT,
                           sharpen_on_ ? extent : VkExtent2D{1, 1}, 1);
-    resolve_ = d.pass(
-        {.name = "average",
-         .spirv = kAverageShader,
-         .bindings = {Binding::kTexel,   Binding::kTexel,   Binding::kTexel,   Binding::kLinear,
-                      Binding::kLinear,  Binding::kLinear,  Binding::kLinear,  Binding::kLinear,
-                      Binding::kTexel,   Binding::kTexel,   Binding::kTexel,   Binding::kTexel,
-                      Binding::kTexel,   Binding::kStorage, Binding::kStorage, Binding::kStorage,
-                      Binding::kStorage, Binding::kConstants},
-         .constant_bytes = sizeof(TaaConstants),
-         .specialization = specialization(d.settings)});
+    resolve_ =
+        d.pass({.name = "average",
+                .spirv = kAverageShader,
+                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
+                             Binding::kLinear, Binding::kLinear, Binding::kLinear, Binding::kLinear,
+                             Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                             Binding::kTexel, Binding::kStorage, Binding::kStorage,
+                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                .constant_bytes = sizeof(TaaConstants),
+                .specialization = specialization(d.settings)});
   }
 
   void recordAverage(Recorder& recorder, const FrameState& state, TaaConstants constants) {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Shared by the host and the shaders of `taa`: choices, specialization constants, the uniform block.
+// Shared by the host and the shaders of `taa`: choices, specialization constants, the uniform
+// block.
 #ifndef REPRISE_TECHNIQUES_TAA_SHARED_H
 #define REPRISE_TECHNIQUES_TAA_SHARED_H
 
@@ -55,7 +56,6 @@ TAA_CHOICE kDepthTestNone = 0u;
 TAA_CHOICE kDepthTestPixel = 1u;
 TAA_CHOICE kDepthTestTaps = 2u;
 
-
 struct TaaConstants {
   FrameConstants frame;
   // Weights of the nine samples at (x - 1, y - 1), row by row, sum 1; filter_weight_8 ends them.
@@ -69,13 +69,13 @@ struct TaaConstants {
   float motion_tolerance_px;  // 0: no motion test
   float speed_alpha;          // weight of the current sample at speed_px and above
   float speed_px;
-  float clip_forget;          // share of the sample count that a fully clipped history loses
-  float still_frames;         // largest sample count at rest; 0: no still mode
-  float spatial_frames;       // spatial antialiasing until this many samples are in
-  float history_sharpness;    // c of the cubic history filter
-  float anti_flicker;         // strength
-  float sharpen;              // [0, 1] 
-  float average_frames;       // frames of the average without feedback
+  float clip_forget;        // share of the sample count that a fully clipped history loses
+  float still_frames;       // largest sample count at rest; 0: no still mode
+  float spatial_frames;     // spatial antialiasing until this many samples are in
+  float history_sharpness;  // c of the cubic history filter
+  float anti_flicker;       // strength
+  float sharpen;            // [0, 1]
+  float average_frames;     // frames of the average without feedback
   float padding;
 };
 

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 // The space in which samples are bounded and blended: weighted (so that one bright sample does not
-// outvote its neighbours), then YCoCg or RGB. Bounds and blend share it: a bound taken elsewhere lets
-// through what the blend then shows.
+// outvote its neighbours), then YCoCg or RGB. Bounds and blend share it: a bound taken elsewhere
+// lets through what the blend then shows.
 #ifndef REPRISE_TECHNIQUES_TAA_WORKING_SPACE_GLSL
 #define REPRISE_TECHNIQUES_TAA_WORKING_SPACE_GLSL
 

@@ -28,9 +28,8 @@
 //              near / (1 - depth)                                  ..._DEVICE_INFINITE
 //              near + depth * (far - near)                         REPRISE_DEPTH_ORTHOGRAPHIC
 //              Units are the host's own; they cancel.
-//   colour     linear light, RGB, any scale. scene = color / pre_exposure. Output has the exposure
-//   of
-//              the input of the same frame. Alpha is not read; the output's alpha is 1.
+//   colour     linear light, RGB, any scale. scene = color / pre_exposure. The output has the
+//              exposure of the input of the same frame. Alpha is not read; the output's alpha is 1.
 //              NaN, infinite and negative texels are read as 0.
 //
 // Images and synchronization
@@ -88,7 +87,7 @@ typedef enum RepriseMessageSeverity {
 typedef void (*RepriseMessageCallback)(RepriseMessageSeverity severity, const char* text,
                                        void* user);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Techniques and their settings. The command line's flags and the documentation's tables are made
 // from these tables.
 
@@ -155,7 +154,7 @@ const char* repriseGetVersion(void);
 // "invalid argument" and so on; static storage; never NULL.
 const char* repriseResultText(RepriseResult result);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Requirements
 
 typedef struct RepriseRequirements {
@@ -173,7 +172,7 @@ RepriseResult repriseGetRequirements(const char* technique, VkInstance instance,
                                      PFN_vkGetInstanceProcAddr get_instance_proc_addr,
                                      RepriseRequirements* requirements);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Context
 
 typedef enum RepriseDepthKind {
@@ -233,7 +232,7 @@ RepriseResult reprisePrepare(RepriseContext context);
 // Forgets history: the next record gives the current frame alone, as RepriseFrame::reset does.
 RepriseResult repriseReset(RepriseContext context);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Plan
 
 typedef enum RepriseShadingOffset {
@@ -251,7 +250,7 @@ typedef struct RepriseSamplePlan {
   RepriseShadingOffset shading_offset;
   float shading_offset_sigma_px;
   uint32_t shading_offset_seed;
-  uint32_t shading_offset_quadrant;  // [0, 3]
+  uint32_t shading_offset_quadrant;  // [0, 3]; 4: the pixel centre
   uint32_t coarse_size;         // pixels a side that share one shading evaluation; 1: each its own
   int32_t coarse_origin_px[2];  // [0, coarse_size)
 } RepriseSamplePlan;
@@ -260,7 +259,7 @@ typedef struct RepriseSamplePlan {
 RepriseResult repriseGetSamplePlan(RepriseContext context, uint64_t frame_index,
                                    RepriseSamplePlan* plan);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Record
 
 typedef struct RepriseImage {
@@ -309,7 +308,7 @@ RepriseResult repriseRecord(RepriseContext context, VkCommandBuffer commands,
 uint32_t repriseGetPassCount(RepriseContext context);
 const char* repriseGetPassName(RepriseContext context, uint32_t index);
 
-// ---------------------------------------------------------------------------------------------------
+// -------------------------------------------------------------------------------------------------
 // Memory
 
 typedef struct RepriseMemoryItem {

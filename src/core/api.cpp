@@ -48,6 +48,14 @@ void require(bool holds, const char* message) {
   if (!holds) fail(REPRISE_ERROR_INVALID_ARGUMENT, message);
 }
 
+// A C host may have put any number there, which an enumeration may not hold.
+bool isDepthKind(const RepriseDepthKind& kind) {
+  static_assert(sizeof(RepriseDepthKind) == sizeof(int));
+  int value;
+  std::memcpy(&value, &kind, sizeof(value));
+  return value >= REPRISE_DEPTH_DEVICE && value <= REPRISE_DEPTH_ORTHOGRAPHIC;
+}
+
 void checkContextInfo(const RepriseContextInfo& info) {
   require(info.size == sizeof(RepriseContextInfo), "info.size must be sizeof(RepriseContextInfo)");
   require(info.instance != VK_NULL_HANDLE, "info.instance is null");
@@ -58,7 +66,7 @@ void checkContextInfo(const RepriseContextInfo& info) {
   require(info.setting_count == 0 || info.settings != nullptr, "info.settings is null");
   require(info.frames_in_flight >= 1 && info.frames_in_flight <= 8,
           "info.frames_in_flight must be in [1, 8]");
-  require(info.depth_kind >= REPRISE_DEPTH_DEVICE && info.depth_kind <= REPRISE_DEPTH_ORTHOGRAPHIC,
+  require(isDepthKind(info.depth_kind),
           "info.depth_kind is not a RepriseDepthKind");
   require((info.flags & ~uint32_t{REPRISE_CONTEXT_MOTION_INCLUDES_JITTER}) == 0,
           "info.flags has an unknown bit");

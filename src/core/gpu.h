@@ -49,7 +49,8 @@ class HistoryImage {
     return copies_[(record + copies_.size() - age) % copies_.size()].view;
   }
 
-  // UNDEFINED -> GENERAL, once, before the first use.
+  // UNDEFINED -> GENERAL and zero, once, before the first use: a bilinear fetch reads texels that
+  // were never written, and zero times a NaN would be a NaN.
   void recordInitialLayout(VkCommandBuffer commands);
 
  private:

@@ -13,6 +13,7 @@ namespace reprise {
   X(BindImageMemory)                \
   X(CmdBindDescriptorSets)          \
   X(CmdBindPipeline)                \
+  X(CmdClearColorImage)             \
   X(CmdDispatch)                    \
   X(CmdPipelineBarrier)             \
   X(CmdWriteTimestamp)              \

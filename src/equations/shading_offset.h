@@ -6,8 +6,11 @@
 #include "equations/hash.h"
 EQ_BEGIN
 
-// Centre of quadrant 0..3, in px from the pixel centre: (-,-), (-,+), (+,-), (+,+) quarters.
+// Centre of quadrant 0..3, in px from the pixel centre: (-,-), (-,+), (+,-), (+,+) quarters; 4 is
+// the pixel centre itself.
+EQ_CONST uint kQuadrantCentre = 4u;
 EQ_FN vec2 quadrantOffset(uint quadrant) {
+  if (quadrant >= kQuadrantCentre) return vec2(0.0f, 0.0f);
   return vec2((quadrant & 2u) != 0u ? 0.25f : -0.25f, (quadrant & 1u) != 0u ? 0.25f : -0.25f);
 }
 

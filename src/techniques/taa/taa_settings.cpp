@@ -28,7 +28,7 @@ constexpr uint32_t kRebuild = 1;
 
 constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     choiceSetting(
-        kJitter, "jitter", 1, kJitterNames,
+        kJitter, "jitter", 2, kJitterNames,
         "sequence of sample positions over the pixel, repeated after jitter_length frames",
         "Yang, Liu, Salvi 2020, section on sampling; Karis 2014", 0),
     integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames",
@@ -52,7 +52,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
         "the published one. Wider is steadier and blurs",
         "experiment: README.md, input filter"),
     choiceSetting(
-        kDilation, "dilation", 1, kDilationNames,
+        kDilation, "dilation", 2, kDilationNames,
         "whose motion, depth and id a pixel takes: its own, the closest surface's in 3x3 or "
         "in the cross, or the longest motion in 3x3",
         "Karis 2014; INSIDE"),
@@ -86,7 +86,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
         kWeighting, "weighting", 0, kWeightingNames,
         "space in which samples are bounded and blended: linear, c / (1 + luma), or log(c)",
         "Karis 2014; Lopez 2022"),
-    numberSetting(kAlpha, "alpha", 0.15, 0.001, 1.0, "",
+    numberSetting(kAlpha, "alpha", 0.2, 0.001, 1.0, "",
                   "lowest weight of the current sample while something moves; (2 - alpha) / alpha "
                   "samples in steady state",
                   "Karis 2014: 0.04; INSIDE: 0.03 to 0.12"),
@@ -118,7 +118,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "rejects history whose id differs; needs RepriseFrame::id", "Lopez 2022"),
     switchSetting(kReactive, "reactive", true,
                   "raises the current sample's weight by RepriseFrame::reactive", "Karis 2014"),
-    switchSetting(kRejectedBlur, "rejected_blur", true,
+    switchSetting(kRejectedBlur, "rejected_blur", false,
                   "where history is rejected, shows the 3x3 mean instead of the bare sample",
                   "Lopez 2022"),
     integerSetting(kSpatialFrames, "spatial_frames", 2, 0, 16, "samples",
@@ -154,10 +154,8 @@ const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
 namespace {
 
 constexpr RepriseSettingValue kFast[] = {
-    {"clip", 0.0, "cross"},           {"clip_toward", 0.0, "clamp"},
-    {"clip_space", 0.0, "rgb"},       {"dilation", 0.0, "cross"},
-    {"depth_test", 0.0, "none"},      {"rejected_blur", 0.0, "false"},
-    {"spatial_frames", 0.0, nullptr}, {"dither", 0.0, "false"},
+    {"clip", 0.0, "cross"},      {"clip_toward", 0.0, "clamp"},    {"clip_space", 0.0, "rgb"},
+    {"depth_test", 0.0, "none"}, {"spatial_frames", 0.0, nullptr}, {"dither", 0.0, "false"},
 };
 
 }  // namespace

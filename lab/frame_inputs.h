@@ -5,6 +5,7 @@
 // nothing of scenes. Conventions are those of reprise/reprise.h.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <optional>
 #include <string>
@@ -26,6 +27,9 @@ struct FrameInputs {
   const Image* motion = nullptr;    // live frames: RG32F, pixels: prev_px = px + motion
   const Image* reactive = nullptr;  // optional
   const Image* id = nullptr;        // optional
+  const Image* extra = nullptr;     // optional: served sample requests
+  // Motion to the frame a frames back at [a - 1]; null where the plan did not ask for it.
+  std::array<const Image*, REPRISE_MAX_MOTION_BACK> motion_back{};
   float jitter_px[2] = {0.0f, 0.0f};
   float near_plane = 0.1f;
   float far_plane = 1000.0f;
@@ -54,6 +58,9 @@ class FrameSource {
   virtual ~FrameSource() = default;
 
   virtual const SourceInfo& info() const = 0;
+
+  // Makes what a plan like this one needs beyond the ordinary; before commands are recorded.
+  virtual void prepare(const SamplePlan&) {}
 
   // Records into `commands` what makes frame `index`, and says where its images will be. They are
   // readable by compute shaders after the recorded work and stay valid until the next call.

@@ -2,10 +2,13 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 
 #include "reprise/reprise.h"
 
 namespace reprise::lab {
+
+struct FrameInputs;
 
 // How a source should sample a frame: what the technique's library context asks for, and what only
 // the lab can do.
@@ -14,6 +17,9 @@ struct SamplePlan {
   // N x N stratified samples a pixel, each with its own visibility and shading, averaged with a box
   // of one pixel. 1: one sample at the jitter.
   uint32_t grid = 1;
+  // Where set, a source that renders calls it once depth and motion are recorded, and shades what
+  // the list then asks for, by indirect dispatch, into FrameInputs::extra.
+  std::function<RepriseSampleRequests(VkCommandBuffer, const FrameInputs&)> request;
 };
 
 }  // namespace reprise::lab

@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: MIT
 #include "formula_source.h"
 
+#include <cmath>
+
+#include "equations/shading_offset.h"
+
 namespace reprise::lab {
 namespace {
 
@@ -31,9 +35,15 @@ FrameInputs FormulaSource::prepare(uint32_t index, const SamplePlan& plan) {
   const auto frame = static_cast<float>(index);
   for (uint32_t y = 0; y < extent.height; ++y) {
     for (uint32_t x = 0; x < extent.width; ++x) {
-      const Rgb rgb = formula_.color(
-          static_cast<float>(x) + 0.5f - jitter_px[0] - frame * formula_.velocity_px[0],
-          static_cast<float>(y) + 0.5f - jitter_px[1] - frame * formula_.velocity_px[1]);
+      eq::vec2 sample_px(static_cast<float>(x) + 0.5f - jitter_px[0],
+                         static_cast<float>(y) + 0.5f - jitter_px[1]);
+      if (plan.library.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN) {
+        sample_px += eq::shadingOffset(x, y, plan.library.shading_offset_seed,
+                                       plan.library.shading_offset_sigma_px,
+                                       plan.library.shading_offset_quadrant);
+      }
+      const Rgb rgb = formula_.color(sample_px.x - frame * formula_.velocity_px[0],
+                                     sample_px.y - frame * formula_.velocity_px[1]);
       float* texel = color.at(x, y);
       std::copy(rgb.begin(), rgb.end(), texel);
       texel[3] = 1.0f;
@@ -70,15 +80,26 @@ std::optional<FloatImage> FormulaSource::reference(uint32_t index) {
   const auto frame = static_cast<float>(index);
   for (uint32_t y = 0; y < extent.height; ++y) {
     for (uint32_t x = 0; x < extent.width; ++x) {
+      float weights = 0.0f;
       for (uint32_t s = 0; s < kReferenceGrid * kReferenceGrid; ++s) {
-        const float u = (static_cast<float>(s % kReferenceGrid) + 0.5f) / kReferenceGrid;
-        const float v = (static_cast<float>(s / kReferenceGrid) + 0.5f) / kReferenceGrid;
+        float u = (static_cast<float>(s % kReferenceGrid) + 0.5f) / kReferenceGrid;
+        float v = (static_cast<float>(s / kReferenceGrid) + 0.5f) / kReferenceGrid;
+        float weight = 1.0f;
+        if (const float sigma = formula_.reference_sigma_px; sigma > 0.0f) {
+          // Over three deviations to each side of the centre.
+          u = 0.5f + 6.0f * sigma * (u - 0.5f);
+          v = 0.5f + 6.0f * sigma * (v - 0.5f);
+          weight = std::exp(-0.5f * ((u - 0.5f) * (u - 0.5f) + (v - 0.5f) * (v - 0.5f)) /
+                            (sigma * sigma));
+        }
+        weights += weight;
         const Rgb rgb = formula_.color(static_cast<float>(x) + u - frame * formula_.velocity_px[0],
                                        static_cast<float>(y) + v - frame * formula_.velocity_px[1]);
         for (size_t c = 0; c < 3; ++c) {
-          image.at(x, y)[c] += rgb[c] / (kReferenceGrid * kReferenceGrid);
+          image.at(x, y)[c] += weight * rgb[c];
         }
       }
+      for (size_t c = 0; c < 3; ++c) image.at(x, y)[c] /= weights;
     }
   }
   return image;

@@ -23,6 +23,8 @@ struct Formula {
   };
   // px a frame by which content moves.
   float velocity_px[2] = {0.0f, 0.0f};
+  // Deviation of the reference's Gaussian; 0: a box of 1 px.
+  float reference_sigma_px = 0.0f;
   float view_depth = 10.0f;
   // Changes the texels (RGBA, depth, motion) of a frame after the formula has filled them.
   std::function<void(uint32_t frame, FloatImage& color, FloatImage& depth, FloatImage& motion)>

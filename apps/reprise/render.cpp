@@ -68,9 +68,11 @@ int render(const Globals& globals, const RenderFlags& flags) {
     for (uint32_t index = 0; index < frames; ++index) {
       lab::throwIfInterrupted();
       lab::FrameInputs inputs;
+      lab::SamplePlan sampling = resolver.plan(index);
+      sampling.request = {};  // requests need history; a capture holds one evaluation a pixel
       device->submitAndWait([&](VkCommandBuffer commands) {
         timestamps.begin(commands);
-        inputs = source->frame(commands, index, resolver.plan(index));
+        inputs = source->frame(commands, index, sampling);
       });
       times.add(index, timestamps.milliseconds());
       evaluations += source->takeEvaluations();

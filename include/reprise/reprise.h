@@ -253,6 +253,8 @@ typedef struct RepriseSamplePlan {
   uint32_t shading_offset_quadrant;  // [0, 3]; 4: the pixel centre
   uint32_t coarse_size;         // pixels a side that share one shading evaluation; 1: each its own
   int32_t coarse_origin_px[2];  // [0, coarse_size)
+  // Bit a - 1: the technique would read RepriseFrame::motion_back[a - 1].
+  uint32_t motion_back;
 } RepriseSamplePlan;
 
 // The plan of frame `frame_index`: a pure function of the index, the settings and the extents.
@@ -275,6 +277,9 @@ typedef struct RepriseCamera {
   float projection[16];
 } RepriseCamera;
 
+// How far back a frame's motion can be given (frames).
+#define REPRISE_MAX_MOTION_BACK 8
+
 typedef struct RepriseFrame {
   size_t size;            // = sizeof(RepriseFrame)
   uint64_t frame_index;   // the one whose plan the frame was rendered with
@@ -295,16 +300,48 @@ typedef struct RepriseFrame {
   float pre_exposure;           // (0, inf)
   float frame_time_s;           // [0, inf) seconds since the last frame
   uint32_t reset;               // 1: forget history before this frame (a cut, the first frame)
-  VkQueryPool timestamps;       // optional: 2 * repriseGetPassCount queries are written,
-  uint32_t first_timestamp;     // two a pass, from this index on; the host resets them
+  // Optional: the sum of the evaluations that requests asked for (rgb) and their number (a), in the
+  // exposure of `color`; 0 where none was served. Any sampled float format.
+  RepriseImage extra;
+  // Optional: motion_back[a - 1] is the motion to the frame a frames back, scaled by motion_scale,
+  // free of jitter whatever the context's flags say; entries without a view are not given.
+  const RepriseImage* motion_back;
+  uint32_t motion_back_count;  // [0, REPRISE_MAX_MOTION_BACK]
+  VkQueryPool timestamps;      // optional: 2 * repriseGetPassCount queries are written,
+  uint32_t first_timestamp;    // two a pass, from this index on; the host resets them
 } RepriseFrame;
 
+// Sample requests: which pixels deserve more shading than one evaluation, known once this frame's
+// depth and motion are. `buffer`, std430:
+//   uint32_t groups_x, groups_y, groups_z;  // VkDispatchIndirectCommand: one invocation an entry,
+//                                           // REPRISE_REQUEST_GROUP_SIZE x 1 x 1 a group
+//   uint32_t count;                         // entries
+//   uint32_t entries[];                     // x | y << 14 | mask << 28; one a pixel at most, in no
+//                                           // order. Bit q of mask: evaluate at the pixel's centre
+//                                           // + quadrantOffset(q) (equations/shading_offset.h)
+// A host that serves them sums a pixel's evaluations into RepriseFrame::extra.
+#define REPRISE_REQUEST_GROUP_SIZE 64
+
+typedef struct RepriseSampleRequests {
+  size_t size;      // = sizeof(RepriseSampleRequests), set by the caller
+  VkBuffer buffer;  // the context's own; INDIRECT_BUFFER and STORAGE_BUFFER usage
+  uint64_t bytes;
+} RepriseSampleRequests;
+
+// Valid after reprisePrepare until the next; REPRISE_ERROR_UNSUPPORTED where the technique, as it
+// is set, requests nothing.
+RepriseResult repriseGetSampleRequests(RepriseContext context, RepriseSampleRequests* requests);
+
+// Optional, before repriseRecord of the same frame: fills the request buffer from depth, motion
+// and history (`color` and `output` are not looked at). Afterwards the buffer is readable by
+// indirect dispatch and by compute shaders. A host that skips it gets one evaluation a pixel.
 RepriseResult repriseRecordRequest(RepriseContext context, VkCommandBuffer commands,
                                    const RepriseFrame* frame);
 RepriseResult repriseRecord(RepriseContext context, VkCommandBuffer commands,
                             const RepriseFrame* frame);
 
 // Passes in the order in which they are recorded; names are static. Valid after reprisePrepare.
+// The pass "request" is repriseRecordRequest's: its queries are written by that call alone.
 uint32_t repriseGetPassCount(RepriseContext context);
 const char* repriseGetPassName(RepriseContext context, uint32_t index);
 

@@ -72,6 +72,22 @@ class OwnedContext {
     check(repriseGetSamplePlan(context_, frame_index, &plan));
     return plan;
   }
+  void recordRequest(VkCommandBuffer commands, RepriseFrame frame) {
+    frame.size = sizeof(frame);
+    check(repriseRecordRequest(context_, commands, &frame));
+  }
+  // A null buffer where the technique, as it is set, requests nothing.
+  RepriseSampleRequests sampleRequests() const {
+    RepriseSampleRequests requests{};
+    requests.size = sizeof(requests);
+    const RepriseResult result = repriseGetSampleRequests(context_, &requests);
+    if (result == REPRISE_ERROR_UNSUPPORTED) {
+      messages_->last_error.clear();
+    } else {
+      check(result);
+    }
+    return requests;
+  }
   void record(VkCommandBuffer commands, RepriseFrame frame) {
     frame.size = sizeof(frame);
     check(repriseRecord(context_, commands, &frame));

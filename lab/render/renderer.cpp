@@ -23,6 +23,9 @@ constexpr uint32_t kMotionShader[] = {
 constexpr uint32_t kShadeShader[] = {
 #include "shade.comp.inc"
 };
+constexpr uint32_t kServeShader[] = {
+#include "serve.comp.inc"
+};
 constexpr uint32_t kFinishShader[] = {
 #include "finish.comp.inc"
 };
@@ -59,7 +62,8 @@ glm::mat4 projection(float vertical_fov, float aspect, float near_plane) {
 }  // namespace
 
 Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate)
-    : scene_(run.scene->create()),
+    : device_(device),
+      scene_(run.scene->create()),
       run_(run),
       extent_(extent),
       frame_rate_(frame_rate),
@@ -107,17 +111,21 @@ void Renderer::createBuffers(Device& device) {
   std::memset(counter_.mapped(), 0, counter_.bytes());
 }
 
-ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
+std::vector<uint32_t> Renderer::shadeSpecialization(bool accumulate) const {
   uint32_t kinds = 0;
   const std::vector<GpuMaterial>& materials = scene_->geometry().materials;
   for (const GpuMaterial& material : materials) kinds |= 1u << material.kind;
   const auto only_kind = materials.size() == 1 ? materials[0].kind : ~0u;
+  return {kinds, accumulate ? 1u : 0u, only_kind};
+}
+
+ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
   return ComputeProgram(device, {.name = "shade",
                                  .spirv = kShadeShader,
                                  .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer,
                                               kStored, kStored, kStorageBuffer},
                                  .push_bytes = sizeof(ShadeConstants),
-                                 .specialization = {kinds, accumulate ? 1u : 0u, only_kind}});
+                                 .specialization = shadeSpecialization(accumulate)});
 }
 
 void Renderer::createPrograms(Device& device) {
@@ -216,10 +224,52 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
 
 void Renderer::recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px,
                             uint32_t frames_back) const {
+  recordMotionInto(commands, motion_, jitter_px, frames_back);
+}
+
+void Renderer::prepareMotionBack() {
+  for (Image& image : motion_back_) {
+    if (image.view() != VK_NULL_HANDLE) continue;
+    image = Image(device_, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent_});
+  }
+}
+
+void Renderer::recordMotionBack(VkCommandBuffer commands, eq::vec2 jitter_px,
+                                uint32_t frames_back) const {
+  recordTransform(commands, frames_back);
+  recordMotionInto(commands, motionBack(frames_back), jitter_px, frames_back);
+}
+
+void Renderer::prepareServe() {
+  if (extra_.view() != VK_NULL_HANDLE) return;
+  extra_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
+  serve_program_ =
+      ComputeProgram(device_, {.name = "serve",
+                               .spirv = kServeShader,
+                               .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer,
+                                            kStored, kStorageBuffer, kStorageBuffer},
+                               .push_bytes = 0,
+                               .specialization = shadeSpecialization(false)});
+}
+
+void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests) const {
+  const VkClearColorValue zero{};
+  const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
+  vkCmdClearColorImage(commands, extra_.handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
+  fullBarrier(commands);
+  serve_program_.dispatchIndirect(
+      commands, requests,
+      {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_), stored(materials_),
+       stored(extra_), stored(requests), stored(counter_)});
+  fullBarrier(commands);
+}
+
+void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq::vec2 jitter_px,
+                                uint32_t frames_back) const {
   motion_program_.dispatch(
       commands, extent_,
       {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
-       texels(previous_world_), stored(motion_)},
+       texels(previous_world_), stored(image)},
       MotionConstants{{jitter_px.x, jitter_px.y}, std::min(frames_back, kMaxFramesBack), 0});
   fullBarrier(commands);
 }

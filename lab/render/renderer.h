@@ -4,6 +4,7 @@
 // All images and buffers are made once; a frame records commands and writes one small buffer.
 #pragma once
 
+#include <array>
 #include <cstdint>
 #include <memory>
 #include <span>
@@ -40,7 +41,15 @@ class Renderer {
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
   void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
+  // The same to the frame `frames_back` ago, into motionBack(frames_back); replaces the transforms.
+  // prepareMotionBack must have been called.
+  void prepareMotionBack();
+  void recordMotionBack(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
   void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
+  // Evaluates what a technique's request buffer asks for, into extra().
+  // prepareServe must have been called.
+  void prepareServe();
+  void recordServe(VkCommandBuffer commands, VkBuffer requests) const;
   // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean.
   void recordClearSum(VkCommandBuffer commands) const;
   void recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
@@ -51,6 +60,9 @@ class Renderer {
   const Image& depth() const { return depth_; }    // D32, reversed, infinite
   const Image& motion() const { return motion_; }  // RG32F, px
   const Image& sum() const { return sum_; }        // RGBA32F; a: samples
+  const Image& extra() const { return extra_; }    // RGBA16F; a: evaluations
+  // RG32F, [1, kMaxFramesBack]; valid after recordMotionBack.
+  const Image& motionBack(uint32_t frames_back) const { return motion_back_[frames_back - 1]; }
   const RepriseCamera& camera() const { return camera_; }
   float nearPlane() const { return near_plane_; }
 
@@ -66,9 +78,14 @@ class Renderer {
   void createBuffers(Device& device);
   void createPrograms(Device& device);
   ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
+  std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
   void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
                        const ShadeConstants& constants) const;
 
+  void recordMotionInto(VkCommandBuffer commands, const Image& image, eq::vec2 jitter_px,
+                        uint32_t frames_back) const;
+
+  Device& device_;
   std::unique_ptr<Scene> scene_;
   SceneRun run_;
   VkExtent2D extent_;
@@ -91,12 +108,15 @@ class Renderer {
   Image motion_;
   Image color_;
   Image sum_;
+  Image extra_;  // made by prepareServe and prepareMotionBack
+  std::array<Image, kMaxFramesBack> motion_back_;
   GraphicsProgram visibility_program_;
   ComputeProgram transform_program_;
   ComputeProgram motion_program_;
   ComputeProgram shade_program_;
   ComputeProgram accumulate_program_;
   ComputeProgram mean_program_;
+  ComputeProgram serve_program_;
 };
 
 }  // namespace reprise::lab

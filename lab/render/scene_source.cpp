@@ -37,6 +37,11 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
       .reference_filter = options.reference.filter == ReferenceFilter::kBox ? "box" : "gaussian"};
 }
 
+void SceneSource::prepare(const SamplePlan& plan) {
+  if (plan.request) renderer_.prepareServe();
+  if (plan.library.motion_back != 0) renderer_.prepareMotionBack();
+}
+
 FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {
   const RepriseSamplePlan& sampling = plan.library;
   renderer_.setFrame(index, sampling.mip_bias + options_.switches.mip_bias);
@@ -46,8 +51,8 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     if (timestamps_ != nullptr) timestamps_->stop(commands);
   };
   const eq::vec2 jitter_px(sampling.jitter_px[0], sampling.jitter_px[1]);
-  span("transform", [&] { renderer_.recordTransform(commands, 1); });
   if (plan.grid > 1) {
+    span("transform", [&] { renderer_.recordTransform(commands, 1); });
     renderer_.recordClearSum(commands);
     const std::vector<eq::vec2> jitters_px = stratifiedJitters(plan.grid);
     renderer_.recordAccumulate(commands, jitters_px, options_.switches, timestamps_);
@@ -55,8 +60,31 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
          [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }
   // Depth and motion are those of the frame's one position also where colour has many.
+  span("transform", [&] { renderer_.recordTransform(commands, 1); });
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
   span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
+
+  FrameInputs inputs;
+  inputs.index = index;
+  inputs.extent = info_.extent;
+  inputs.depth = &renderer_.depth();
+  inputs.motion = &renderer_.motion();
+  inputs.jitter_px[0] = jitter_px.x;
+  inputs.jitter_px[1] = jitter_px.y;
+  inputs.near_plane = renderer_.nearPlane();
+  inputs.camera = renderer_.camera();
+  inputs.frame_time_s = static_cast<float>(1.0 / info_.frame_rate);
+  inputs.reset = index == 0;
+  for (uint32_t age = 1; age <= REPRISE_MAX_MOTION_BACK; ++age) {
+    if ((sampling.motion_back & (1u << (age - 1))) == 0) continue;
+    span("motion back", [&] { renderer_.recordMotionBack(commands, jitter_px, age); });
+    inputs.motion_back[age - 1] = &renderer_.motionBack(age);
+  }
+  if (plan.grid <= 1 && plan.request) {
+    const RepriseSampleRequests requests = plan.request(commands, inputs);
+    span("serve", [&] { renderer_.recordServe(commands, requests.buffer); });
+    inputs.extra = &renderer_.extra();
+  }
   if (plan.grid <= 1) {
     const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
     const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
@@ -68,18 +96,7 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     span("shade", [&] { renderer_.recordShade(commands, constants); });
   }
 
-  FrameInputs inputs;
-  inputs.index = index;
-  inputs.extent = info_.extent;
   inputs.color = &renderer_.color();
-  inputs.depth = &renderer_.depth();
-  inputs.motion = &renderer_.motion();
-  inputs.jitter_px[0] = jitter_px.x;
-  inputs.jitter_px[1] = jitter_px.y;
-  inputs.near_plane = renderer_.nearPlane();
-  inputs.camera = renderer_.camera();
-  inputs.frame_time_s = static_cast<float>(1.0 / info_.frame_rate);
-  inputs.reset = index == 0;
   return inputs;
 }
 

@@ -23,6 +23,7 @@ class SceneSource final : public FrameSource {
   SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options);
 
   const SourceInfo& info() const override { return info_; }
+  void prepare(const SamplePlan& plan) override;
   FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) override;
   std::optional<FloatImage> reference(uint32_t index) override;
   FloatImage motion(uint32_t index) override;

@@ -13,7 +13,10 @@ OwnedContext createContext(Device& device, const TechniqueChoice& choice,
     throw UsageError("technique '" + choice.name + "' works on scenes only: '" + source.name +
                      "' was sampled when it was written");
   }
-  const std::vector<RepriseSettingValue> values = choice.values();
+  std::vector<RepriseSettingValue> values = choice.values();
+  // Frames from disk were shaded long ago.
+  const bool requests = (choice.library->flags & REPRISE_TECHNIQUE_REQUESTS) != 0;
+  if (requests && !source.plan_is_honoured) values.push_back({"requests", 0.0, "false"});
   RepriseContextInfo info{};
   info.instance = device.instance();
   info.physical_device = device.physicalDevice();
@@ -46,11 +49,31 @@ Resolver::Resolver(Device& device, const TechniqueChoice& choice, const SourceIn
       output_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = source.extent}),
       pass_names_(context_.passNames()) {}
 
-SamplePlan Resolver::plan(uint32_t frame_index) const {
-  return {.library = context_.plan(frame_index), .grid = choice_.grid};
+SamplePlan Resolver::plan(uint32_t frame_index, Timestamps* timestamps) {
+  SamplePlan plan{.library = context_.plan(frame_index), .grid = choice_.grid, .request = {}};
+  const RepriseSampleRequests requests = context_.sampleRequests();
+  if (requests.buffer != VK_NULL_HANDLE) {
+    plan.request = [this, requests, timestamps](VkCommandBuffer commands,
+                                                const FrameInputs& inputs) {
+      context_.recordRequest(commands, frameOf(inputs, timestamps));
+      return requests;
+    };
+  }
+  return plan;
 }
 
 void Resolver::record(VkCommandBuffer commands, const FrameInputs& inputs, Timestamps* timestamps) {
+  // A source that does not ask leaves the request out; its queries would then never be written.
+  const bool requests = context_.sampleRequests().buffer != VK_NULL_HANDLE;
+  if (timestamps != nullptr && requests && !reserved_.has_value()) {
+    context_.recordRequest(commands, frameOf(inputs, timestamps));
+  }
+  const RepriseFrame frame = frameOf(inputs, timestamps);
+  reserved_.reset();
+  context_.record(commands, frame);
+}
+
+RepriseFrame Resolver::frameOf(const FrameInputs& inputs, Timestamps* timestamps) {
   RepriseFrame frame{};
   frame.frame_index = inputs.index;
   frame.input_extent = inputs.extent;
@@ -59,6 +82,12 @@ void Resolver::record(VkCommandBuffer commands, const FrameInputs& inputs, Times
   frame.motion = asInput(inputs.motion);
   frame.reactive = asInput(inputs.reactive);
   frame.id = asInput(inputs.id);
+  frame.extra = asInput(inputs.extra);
+  for (size_t i = 0; i < motion_back_.size(); ++i) {
+    motion_back_[i] = asInput(inputs.motion_back[i]);
+  }
+  frame.motion_back = motion_back_.data();
+  frame.motion_back_count = REPRISE_MAX_MOTION_BACK;
   frame.output = asInput(&output_);
   frame.jitter_px[0] = inputs.jitter_px[0];
   frame.jitter_px[1] = inputs.jitter_px[1];
@@ -72,9 +101,10 @@ void Resolver::record(VkCommandBuffer commands, const FrameInputs& inputs, Times
   frame.reset = inputs.reset ? 1 : 0;
   if (timestamps != nullptr) {
     frame.timestamps = timestamps->pool();
-    frame.first_timestamp = timestamps->reserve(pass_names_);
+    if (!reserved_.has_value()) reserved_ = timestamps->reserve(pass_names_);
+    frame.first_timestamp = *reserved_;
   }
-  context_.record(commands, frame);
+  return frame;
 }
 
 uint64_t Resolver::historyBytes() const {

@@ -3,7 +3,9 @@
 // A library context in the lab's hands: plans a frame, records its resolve, owns the output image.
 #pragma once
 
+#include <array>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -27,7 +29,8 @@ class Resolver {
   // For what the lab does not do itself: resets, resizes, other settings. output() keeps its
   // extent.
   OwnedContext& context() { return context_; }
-  SamplePlan plan(uint32_t frame_index) const;
+  // The plan's request, if the technique makes any, is timed as record's passes are.
+  SamplePlan plan(uint32_t frame_index, Timestamps* timestamps = nullptr);
   // Records the resolve of `inputs` into output(). With `timestamps`, its passes are timed by name.
   void record(VkCommandBuffer commands, const FrameInputs& inputs, Timestamps* timestamps);
   // RGBA32F: what is measured is the technique, not the rounding of its output.
@@ -44,7 +47,12 @@ class Resolver {
   TechniqueChoice choice_;
   OwnedContext context_;
   Image output_;
+  RepriseFrame frameOf(const FrameInputs& inputs, Timestamps* timestamps);
+
   std::vector<std::string> pass_names_;
+  std::array<RepriseImage, REPRISE_MAX_MOTION_BACK> motion_back_{};
+  // Queries reserved by this frame's request, for its record to share.
+  std::optional<uint32_t> reserved_;
 };
 
 }  // namespace reprise::lab

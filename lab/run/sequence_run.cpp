@@ -35,14 +35,18 @@ SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver,
   for (uint32_t index = 0; index < frames; ++index) {
     throwIfInterrupted();
     FrameInputs inputs;
+    const SamplePlan plan = resolver.plan(index, &timestamps);
+    source.prepare(plan);
     device.submitAndWait([&](VkCommandBuffer commands) {
       timestamps.begin(commands);
-      inputs = source.frame(commands, index, resolver.plan(index));
+      inputs = source.frame(commands, index, plan);
       resolver.record(commands, inputs, &timestamps);
     });
-    // Spans come in the order recorded: the resolve's are the last.
     auto spans = timestamps.milliseconds();
-    const auto resolve = spans.end() - static_cast<std::ptrdiff_t>(resolver.passNames().size());
+    const std::vector<std::string>& names = resolver.passNames();
+    const auto resolve = std::stable_partition(spans.begin(), spans.end(), [&](const auto& span) {
+      return std::find(names.begin(), names.end(), span.first) == names.end();
+    });
     run.resolve_times.add(index, {resolve, spans.end()});
     run.render_times.add(index, {spans.begin(), resolve});
     run.median_motion_px.push_back(medianLength(source.motion(index)));

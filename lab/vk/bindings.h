@@ -32,6 +32,9 @@ inline Bound stored(const Image& image) {
 inline Bound stored(const Buffer& buffer) {
   return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, {buffer.handle(), 0, VK_WHOLE_SIZE}};
 }
+inline Bound stored(VkBuffer buffer) {
+  return {VK_DESCRIPTOR_TYPE_STORAGE_BUFFER, {}, {buffer, 0, VK_WHOLE_SIZE}};
+}
 inline Bound texels(const Buffer& buffer) {
   return {VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER, {}, {}, buffer.texelView()};
 }

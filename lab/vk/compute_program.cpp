@@ -58,4 +58,11 @@ void ComputeProgram::record(VkCommandBuffer commands, VkExtent2D extent,
                 1);
 }
 
+void ComputeProgram::dispatchIndirect(VkCommandBuffer commands, VkBuffer arguments,
+                                      std::initializer_list<Bound> bound) const {
+  vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
+  layout_.push(commands, VK_PIPELINE_BIND_POINT_COMPUTE, bound, nullptr, 0);
+  vkCmdDispatchIndirect(commands, arguments, 0);
+}
+
 }  // namespace reprise::lab

@@ -36,6 +36,9 @@ class ComputeProgram {
                 std::initializer_list<Bound> bound) const {
     record(commands, extent, bound, nullptr, 0);
   }
+  // As many groups as the first words of `arguments` say, of the size that the shader has.
+  void dispatchIndirect(VkCommandBuffer commands, VkBuffer arguments,
+                        std::initializer_list<Bound> bound) const;
 
  private:
   void record(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<Bound> bound,

@@ -66,8 +66,7 @@ void checkContextInfo(const RepriseContextInfo& info) {
   require(info.setting_count == 0 || info.settings != nullptr, "info.settings is null");
   require(info.frames_in_flight >= 1 && info.frames_in_flight <= 8,
           "info.frames_in_flight must be in [1, 8]");
-  require(isDepthKind(info.depth_kind),
-          "info.depth_kind is not a RepriseDepthKind");
+  require(isDepthKind(info.depth_kind), "info.depth_kind is not a RepriseDepthKind");
   require((info.flags & ~uint32_t{REPRISE_CONTEXT_MOTION_INCLUDES_JITTER}) == 0,
           "info.flags has an unknown bit");
 }
@@ -190,6 +189,15 @@ RepriseResult repriseGetSamplePlan(RepriseContext context, uint64_t frame_index,
     require(plan != nullptr, "plan is null");
     require(plan->size == sizeof(RepriseSamplePlan), "plan.size must be sizeof(RepriseSamplePlan)");
     context->plan(frame_index, *plan);
+  });
+}
+
+RepriseResult repriseGetSampleRequests(RepriseContext context, RepriseSampleRequests* requests) {
+  return guarded("repriseGetSampleRequests", context, [&] {
+    require(requests != nullptr, "requests is null");
+    require(requests->size == sizeof(RepriseSampleRequests),
+            "requests.size must be sizeof(RepriseSampleRequests)");
+    context->sampleRequests(*requests);
   });
 }
 

@@ -16,6 +16,8 @@ VkDescriptorType descriptorType(Binding binding) {
       return VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
     case Binding::kStorage:
       return VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
+    case Binding::kBuffer:
+      return VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
     case Binding::kConstants:
       return VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
   }
@@ -126,10 +128,16 @@ PassRecording& PassRecording::write(VkImageView view) {
   return *this;
 }
 
+PassRecording& PassRecording::buffer(VkBuffer buffer) {
+  expect(Binding::kBuffer, Binding::kBuffer);
+  buffers_[count_++] = {buffer, 0, VK_WHOLE_SIZE};
+  return *this;
+}
+
 PassRecording& PassRecording::constants(const void* data, uint32_t bytes) {
   expect(Binding::kConstants, Binding::kConstants);
   assert(bytes == pass_.constant_bytes_);
-  buffer_ = {target_.constants->buffer(), target_.constants->write(data, bytes), bytes};
+  buffers_[count_] = {target_.constants->buffer(), target_.constants->write(data, bytes), bytes};
   ++count_;
   return *this;
 }
@@ -146,7 +154,7 @@ void PassRecording::dispatch(VkExtent2D extent) {
     writes[i].descriptorCount = 1;
     writes[i].descriptorType = descriptorType(pass_.bindings_[i]);
     writes[i].pImageInfo = &images_[i];
-    writes[i].pBufferInfo = &buffer_;
+    writes[i].pBufferInfo = &buffers_[i];
   }
   vk.UpdateDescriptorSets(pass_.gpu_.device, count_, writes, 0, nullptr);
 

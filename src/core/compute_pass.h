@@ -21,6 +21,7 @@ enum class Binding : uint8_t {
   kTexel,     // sampler2D or usampler2D with a nearest, clamped sampler: texelFetch, textureGather
   kLinear,    // sampler2D with a linear, clamped sampler
   kStorage,   // image2D, written
+  kBuffer,    // storage buffer
   kConstants  // uniform block; at most one, the last
 };
 
@@ -79,6 +80,7 @@ class PassRecording {
   PassRecording& read(VkImageView view, VkImageLayout layout = VK_IMAGE_LAYOUT_GENERAL);
   PassRecording& read(const RepriseImage& image) { return read(image.view, image.layout); }
   PassRecording& write(VkImageView view);
+  PassRecording& buffer(VkBuffer buffer);
   template <typename Constants>
   PassRecording& constants(const Constants& value) {
     return constants(&value, static_cast<uint32_t>(sizeof(Constants)));
@@ -96,7 +98,7 @@ class PassRecording {
   uint32_t pass_index_;
   uint32_t count_ = 0;
   VkDescriptorImageInfo images_[ComputePass::kMaxBindings] = {};
-  VkDescriptorBufferInfo buffer_{};
+  VkDescriptorBufferInfo buffers_[ComputePass::kMaxBindings] = {};
 };
 
 }  // namespace reprise

@@ -16,6 +16,9 @@ RepriseImage orPlaceholder(const RepriseImage& image, const HistoryImage& placeh
   return {placeholder.current(0), placeholder.extent(), VK_IMAGE_LAYOUT_GENERAL};
 }
 
+// An empty list: a dispatch of no groups, no entries.
+constexpr uint32_t kNoRequests[] = {0, 1, 1, 0};
+
 const TechniqueEntry& requireTechnique(const char* name) {
   const TechniqueEntry* entry = findTechnique(name);
   if (entry != nullptr) return *entry;
@@ -53,6 +56,7 @@ Context::Context(const RepriseContextInfo& info)
   VkPhysicalDeviceProperties properties{};
   gpu_.vk.GetPhysicalDeviceProperties(info.physical_device, &properties);
   gpu_.limits = properties.limits;
+  gpu_.physical_device = info.physical_device;
 
   if (info.preset != nullptr) settings_.applyPreset(info.preset);
   settings_.apply(info.settings, info.setting_count);
@@ -127,7 +131,7 @@ void Context::resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent) 
 
 void Context::prepare() {
   if (!needs_prepare_) return;
-  Declaration declaration(settings_, max_input_extent_, max_output_extent_);
+  Declaration declaration(gpu_, settings_, max_input_extent_, max_output_extent_);
   Prepared next;
   next.technique = entry_.create();
   next.technique->declare(declaration);
@@ -139,6 +143,14 @@ void Context::prepare() {
     constant_bytes += ConstantRing::alignedSize(gpu_, info.constant_bytes);
   }
   next.constants = std::make_unique<ConstantRing>(gpu_, constant_bytes, frames_in_flight_);
+
+  if (declaration.makes_requests) {
+    const uint64_t pixels = uint64_t{max_input_extent_.width} * max_input_extent_.height;
+    next.requests = std::make_unique<DeviceBuffer>(
+        gpu_, "sample requests", sizeof(kNoRequests) + pixels * sizeof(uint32_t),
+        VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
+            VK_BUFFER_USAGE_TRANSFER_DST_BIT);
+  }
 
   // New images first: should one fail, the old state is whole.
   const auto same = [](const Declaration::History& wanted, const HistoryImage& image) {
@@ -165,6 +177,7 @@ void Context::prepare() {
   }
   prepared_ = std::move(next);
   reset_pending_ |= !all_kept;
+  request_recorded_ = false;
   needs_prepare_ = false;
 }
 
@@ -174,9 +187,9 @@ void Context::plan(uint64_t frame_index, RepriseSamplePlan& plan) const {
   planner_->plan({frame_index, max_input_extent_, max_output_extent_, settings_}, plan);
 }
 
-FrameState Context::frameState(const RepriseFrame& frame) const {
+FrameState Context::frameState(const RepriseFrame& frame, bool shaded) const {
   FrameState state{.frame = frame, .settings = settings_};
-  checkFrame(frame, *entry_.info, depth_kind_, max_input_extent_, max_output_extent_,
+  checkFrame(frame, *entry_.info, depth_kind_, max_input_extent_, max_output_extent_, shaded,
              state.input_extent, state.output_extent);
   state.has_history = !reset_pending_ && frame.reset == 0 && record_ > 0;
   state.record = record_;
@@ -201,21 +214,26 @@ FrameState Context::frameState(const RepriseFrame& frame) const {
   return state;
 }
 
-void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
-  if (needs_prepare_) {
-    fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before recording");
-  }
-  const FrameState state = frameState(frame);
-
+Recorder Context::beginRecording(VkCommandBuffer commands, const RepriseFrame& frame) {
   float_placeholder_->recordInitialLayout(commands);
   uint_placeholder_->recordInitialLayout(commands);
   for (const auto& history : prepared_.histories) history->recordInitialLayout(commands);
   const auto slot = static_cast<uint32_t>(record_ % frames_in_flight_);
-  prepared_.constants->beginSlot(slot);
-  Recorder recorder(
+  // The request of the same frame has written its constants to the same slot already.
+  if (!request_recorded_) prepared_.constants->beginSlot(slot);
+  return Recorder(
       prepared_, *float_placeholder_, *uint_placeholder_,
       {commands, slot, prepared_.constants.get(), frame.timestamps, frame.first_timestamp});
+}
+
+void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
+  if (needs_prepare_) {
+    fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before recording");
+  }
+  const FrameState state = frameState(frame, true);
+  Recorder recorder = beginRecording(commands, frame);
   prepared_.technique->record(recorder, state);
+  request_recorded_ = false;
 
   previous_.output_extent = state.output_extent;
   previous_.jitter_px = state.jitter_px;
@@ -226,9 +244,55 @@ void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
   ++record_;
 }
 
-void Context::recordRequest(VkCommandBuffer, const RepriseFrame&) {
-  fail(REPRISE_ERROR_UNSUPPORTED,
-       "technique '" + std::string(entry_.info->name) + "' makes no sample requests");
+void Context::requireRequests() const {
+  if ((entry_.info->flags & REPRISE_TECHNIQUE_REQUESTS) == 0) {
+    fail(REPRISE_ERROR_UNSUPPORTED,
+         "technique '" + std::string(entry_.info->name) + "' makes no sample requests");
+  }
+  if (needs_prepare_) {
+    fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before asking for requests");
+  }
+  if (prepared_.requests == nullptr) {
+    fail(REPRISE_ERROR_UNSUPPORTED,
+         "technique '" + std::string(entry_.info->name) + "' is set to make no sample requests");
+  }
+}
+
+void Context::sampleRequests(RepriseSampleRequests& requests) const {
+  requireRequests();
+  requests.buffer = prepared_.requests->handle();
+  requests.bytes = prepared_.requests->bytes();
+}
+
+void Context::recordRequest(VkCommandBuffer commands, const RepriseFrame& frame) {
+  requireRequests();
+  if (request_recorded_) {
+    fail(REPRISE_ERROR_INVALID_ARGUMENT, "the requests of this frame are recorded already");
+  }
+  const FrameState state = frameState(frame, false);
+  // What served the last frame's requests has read them; then the list is emptied, then filled.
+  VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER};
+  barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  gpu_.vk.CmdPipelineBarrier(
+      commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT | VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT,
+      VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
+  gpu_.vk.CmdUpdateBuffer(commands, prepared_.requests->handle(), 0, sizeof(kNoRequests),
+                          kNoRequests);
+  barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
+  gpu_.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,
+                             VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0, nullptr, 0,
+                             nullptr);
+  Recorder recorder = beginRecording(commands, frame);
+  prepared_.technique->recordRequest(recorder, state);
+  request_recorded_ = true;
+  barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;
+  barrier.dstAccessMask = VK_ACCESS_INDIRECT_COMMAND_READ_BIT | VK_ACCESS_SHADER_READ_BIT;
+  gpu_.vk.CmdPipelineBarrier(
+      commands, VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT,
+      VK_PIPELINE_STAGE_DRAW_INDIRECT_BIT | VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 1, &barrier, 0,
+      nullptr, 0, nullptr);
 }
 
 const char* Context::passName(uint32_t index) const {
@@ -239,8 +303,14 @@ uint32_t Context::memory(RepriseMemoryItem* items, uint32_t capacity) const {
   if (needs_prepare_) {
     fail(REPRISE_ERROR_NOT_PREPARED, "reprisePrepare must be called before asking for memory");
   }
-  const auto count = static_cast<uint32_t>(prepared_.histories.size());
+  const auto images = static_cast<uint32_t>(prepared_.histories.size());
+  const uint32_t count = images + (prepared_.requests != nullptr ? 1 : 0);
   for (uint32_t i = 0; i < std::min(count, capacity); ++i) {
+    if (i == images) {
+      const DeviceBuffer& buffer = *prepared_.requests;
+      items[i] = {buffer.name(), VK_FORMAT_UNDEFINED, {0, 0}, 1, buffer.bytes()};
+      break;
+    }
     const HistoryImage& image = *prepared_.histories[i];
     items[i] = {image.name(), image.format(), image.extent(), image.copies(), image.bytes()};
   }

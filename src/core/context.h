@@ -16,6 +16,7 @@ struct Prepared {
   std::vector<std::unique_ptr<HistoryImage>> histories;
   std::vector<std::unique_ptr<ComputePass>> passes;
   std::unique_ptr<ConstantRing> constants;
+  std::unique_ptr<DeviceBuffer> requests;  // null: none are made
 };
 
 // Hands a technique its passes and images while it records.
@@ -32,6 +33,7 @@ class Recorder {
     return PassRecording(*prepared_.passes[handle], target_, handle);
   }
   const HistoryImage& history(HistoryHandle handle) const { return *prepared_.histories[handle]; }
+  VkBuffer requests() const { return prepared_.requests->handle(); }
   // An optional input, or a 1 x 1 image in its place: every binding must hold a descriptor.
   RepriseImage orFloatPlaceholder(const RepriseImage& image) const;
   RepriseImage orUintPlaceholder(const RepriseImage& image) const;
@@ -57,7 +59,8 @@ class Context {
   void reset() { reset_pending_ = true; }
   void plan(uint64_t frame_index, RepriseSamplePlan& plan) const;
   void record(VkCommandBuffer commands, const RepriseFrame& frame);
-  [[noreturn]] void recordRequest(VkCommandBuffer commands, const RepriseFrame& frame);
+  void recordRequest(VkCommandBuffer commands, const RepriseFrame& frame);
+  void sampleRequests(RepriseSampleRequests& requests) const;
   uint32_t memory(RepriseMemoryItem* items, uint32_t capacity) const;
   uint32_t passCount() const { return static_cast<uint32_t>(prepared_.passes.size()); }
   const char* passName(uint32_t index) const;
@@ -73,7 +76,10 @@ class Context {
   };
   void setExtents(VkExtent2D max_input_extent, VkExtent2D max_output_extent);
   void createSamplers();
-  FrameState frameState(const RepriseFrame& frame) const;
+  void requireRequests() const;
+  // `shaded`: colour and output are there already.
+  FrameState frameState(const RepriseFrame& frame, bool shaded) const;
+  Recorder beginRecording(VkCommandBuffer commands, const RepriseFrame& frame);
 
   const TechniqueEntry& entry_;
   Gpu gpu_;
@@ -93,14 +99,16 @@ class Context {
   Prepared prepared_;
   bool needs_prepare_ = true;
   bool reset_pending_ = true;
+  bool request_recorded_ = false;
   uint64_t record_ = 0;
   Previous previous_;
 };
 
-// Throws Error, in one line, when a frame breaks the contract of reprise.h. `input` and `output`
-// receive the extents with {0, 0} resolved.
+// Throws Error, in one line, when a frame breaks the contract of reprise.h. Not `shaded`: a
+// request, for which colour and output need not exist. `input` and `output` receive the extents
+// with {0, 0} resolved.
 void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique,
                 RepriseDepthKind depth_kind, VkExtent2D max_input, VkExtent2D max_output,
-                VkExtent2D& input, VkExtent2D& output);
+                bool shaded, VkExtent2D& input, VkExtent2D& output);
 
 }  // namespace reprise

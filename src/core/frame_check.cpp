@@ -77,7 +77,7 @@ void checkCamera(const RepriseCamera& camera) {
 
 void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique,
                 RepriseDepthKind depth_kind, VkExtent2D max_input, VkExtent2D max_output,
-                VkExtent2D& input, VkExtent2D& output) {
+                bool shaded, VkExtent2D& input, VkExtent2D& output) {
   require(frame.size == sizeof(RepriseFrame), "frame.size must be sizeof(RepriseFrame)");
   input = resolvedExtent(frame.input_extent, max_input, "input_extent");
   const bool upsamples = (technique.flags & REPRISE_TECHNIQUE_UPSAMPLES) != 0;
@@ -90,12 +90,21 @@ void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique
                                         "' cannot upsample: output_extent " + text(output) +
                                         " must equal input_extent " + text(input));
   }
-  checkImage(frame.color, "color", true, input);
+  checkImage(frame.color, "color", shaded, input);
   checkImage(frame.depth, "depth", true, input);
   checkImage(frame.motion, "motion", true, input);
   checkImage(frame.reactive, "reactive", false, input);
   checkImage(frame.id, "id", false, input);
-  checkImage(frame.output, "output", true, output);
+  checkImage(frame.extra, "extra", false, input);
+  checkImage(frame.output, "output", shaded, output);
+  require(frame.motion_back_count <= REPRISE_MAX_MOTION_BACK,
+          "motion_back_count is above REPRISE_MAX_MOTION_BACK");
+  require(frame.motion_back_count == 0 || frame.motion_back != nullptr, "motion_back is null");
+  for (uint32_t i = 0; i < frame.motion_back_count; ++i) {
+    checkImage(frame.motion_back[i], "motion_back", false, input);
+    checkInputLayout(frame.motion_back[i], "motion_back");
+  }
+  checkInputLayout(frame.extra, "extra");
   checkInputLayout(frame.color, "color");
   checkInputLayout(frame.depth, "depth");
   checkInputLayout(frame.motion, "motion");

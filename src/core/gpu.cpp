@@ -19,6 +19,44 @@ uint32_t Gpu::memoryType(uint32_t type_bits, VkMemoryPropertyFlags required,
   fail(REPRISE_ERROR_UNSUPPORTED, "the device has no memory type for " + what);
 }
 
+bool Gpu::storable(VkFormat format) const {
+  VkFormatProperties properties{};
+  vk.GetPhysicalDeviceFormatProperties(physical_device, format, &properties);
+  constexpr VkFormatFeatureFlags kNeeded = VK_FORMAT_FEATURE_STORAGE_IMAGE_BIT |
+                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_BIT |
+                                           VK_FORMAT_FEATURE_SAMPLED_IMAGE_FILTER_LINEAR_BIT;
+  return (properties.optimalTilingFeatures & kNeeded) == kNeeded;
+}
+
+DeviceBuffer::DeviceBuffer(const Gpu& gpu, const char* name, uint64_t bytes,
+                           VkBufferUsageFlags usage)
+    : gpu_(gpu), name_(name), bytes_(bytes) {
+  const std::string what = std::string("buffer '") + name_ + "'";
+  try {
+    VkBufferCreateInfo info{.sType = VK_STRUCTURE_TYPE_BUFFER_CREATE_INFO};
+    info.size = bytes_;
+    info.usage = usage;
+    check(gpu_.vk.CreateBuffer(gpu_.device, &info, nullptr, &buffer_), what);
+    VkMemoryRequirements needs{};
+    gpu_.vk.GetBufferMemoryRequirements(gpu_.device, buffer_, &needs);
+    VkMemoryAllocateInfo memory_info{.sType = VK_STRUCTURE_TYPE_MEMORY_ALLOCATE_INFO};
+    memory_info.allocationSize = needs.size;
+    memory_info.memoryTypeIndex =
+        gpu_.memoryType(needs.memoryTypeBits, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT, what);
+    check(gpu_.vk.AllocateMemory(gpu_.device, &memory_info, nullptr, &memory_), what);
+    check(gpu_.vk.BindBufferMemory(gpu_.device, buffer_, memory_, 0), what);
+  } catch (...) {
+    gpu_.vk.DestroyBuffer(gpu_.device, buffer_, nullptr);
+    gpu_.vk.FreeMemory(gpu_.device, memory_, nullptr);
+    throw;
+  }
+}
+
+DeviceBuffer::~DeviceBuffer() {
+  gpu_.vk.DestroyBuffer(gpu_.device, buffer_, nullptr);
+  gpu_.vk.FreeMemory(gpu_.device, memory_, nullptr);
+}
+
 HistoryImage::HistoryImage(const Gpu& gpu, const char* name, VkFormat format, VkExtent2D extent,
                            uint32_t copies)
     : gpu_(gpu), name_(name), format_(format), extent_(extent), copies_(copies) {
@@ -33,8 +71,8 @@ HistoryImage::HistoryImage(const Gpu& gpu, const char* name, VkFormat format, Vk
       image_info.arrayLayers = 1;
       image_info.samples = VK_SAMPLE_COUNT_1_BIT;
       image_info.tiling = VK_IMAGE_TILING_OPTIMAL;
-      image_info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT |
-                         VK_IMAGE_USAGE_TRANSFER_DST_BIT;
+      image_info.usage =
+          VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_STORAGE_BIT | VK_IMAGE_USAGE_TRANSFER_DST_BIT;
       check(gpu_.vk.CreateImage(gpu_.device, &image_info, nullptr, &copy.image), what);
 
       VkMemoryRequirements needs{};

@@ -19,6 +19,10 @@ struct Gpu {
   VkPipelineCache pipeline_cache = VK_NULL_HANDLE;
   VkPhysicalDeviceMemoryProperties memory{};
   VkPhysicalDeviceLimits limits{};
+  VkPhysicalDevice physical_device = VK_NULL_HANDLE;
+
+  // Whether an image of `format` can be written by shaders and sampled with a linear filter.
+  bool storable(VkFormat format) const;
 
   // Index of the first memory type in `type_bits` with all `required` flags, preferring
   // `preferred`.
@@ -44,6 +48,7 @@ class HistoryImage {
   uint64_t bytes() const { return bytes_; }
 
   // The copy written in the record of number `record`, and the one written `age` records before.
+  VkImageView copy(uint32_t index) const { return copies_[index].view; }
   VkImageView current(uint64_t record) const { return copies_[record % copies_.size()].view; }
   VkImageView previous(uint64_t record, uint32_t age = 1) const {
     return copies_[(record + copies_.size() - age) % copies_.size()].view;
@@ -68,6 +73,27 @@ class HistoryImage {
   std::vector<Copy> copies_;
   uint64_t bytes_ = 0;
   bool has_layout_ = false;
+};
+
+// A buffer of device memory that shaders write, reported as history is.
+class DeviceBuffer {
+ public:
+  // `name` must be in static storage.
+  DeviceBuffer(const Gpu& gpu, const char* name, uint64_t bytes, VkBufferUsageFlags usage);
+  ~DeviceBuffer();
+  DeviceBuffer(const DeviceBuffer&) = delete;
+  DeviceBuffer& operator=(const DeviceBuffer&) = delete;
+
+  const char* name() const { return name_; }
+  VkBuffer handle() const { return buffer_; }
+  uint64_t bytes() const { return bytes_; }
+
+ private:
+  const Gpu& gpu_;
+  const char* name_;
+  uint64_t bytes_;
+  VkBuffer buffer_ = VK_NULL_HANDLE;
+  VkDeviceMemory memory_ = VK_NULL_HANDLE;
 };
 
 // Host-visible memory for the constants of every pass of `frames` frames in flight: one slot a

@@ -30,8 +30,15 @@ using PassHandle = uint32_t;
 // Collects what a technique asks for in prepare.
 class Declaration {
  public:
-  Declaration(const Settings& settings_, VkExtent2D max_input, VkExtent2D max_output)
-      : settings(settings_), max_input_extent(max_input), max_output_extent(max_output) {}
+  Declaration(const Gpu& gpu, const Settings& settings_, VkExtent2D max_input,
+              VkExtent2D max_output)
+      : settings(settings_),
+        max_input_extent(max_input),
+        max_output_extent(max_output),
+        gpu_(gpu) {}
+
+  // Whether history may have this format: beyond the few that Vulkan promises, devices differ.
+  bool storable(VkFormat format) const { return gpu_.storable(format); }
 
   HistoryHandle history(const char* name, VkFormat format, VkExtent2D extent, uint32_t copies) {
     histories.push_back({name, format, extent, copies});
@@ -42,9 +49,16 @@ class Declaration {
     return static_cast<PassHandle>(passes.size() - 1);
   }
 
+  // The pass that repriseRecordRequest records; at most one. Gives the context its request buffer.
+  PassHandle requestPass(PassInfo info) {
+    makes_requests = true;
+    return pass(std::move(info));
+  }
+
   const Settings& settings;
   VkExtent2D max_input_extent;
   VkExtent2D max_output_extent;
+  bool makes_requests = false;
 
   struct History {
     const char* name;
@@ -54,6 +68,9 @@ class Declaration {
   };
   std::vector<History> histories;
   std::vector<PassInfo> passes;
+
+ private:
+  const Gpu& gpu_;
 };
 
 // A frame after validation, with everything resolved that depends on the frame before.
@@ -86,6 +103,8 @@ class Technique {
   virtual void plan(const PlanRequest& request, RepriseSamplePlan& plan) const = 0;
   virtual void declare(Declaration& declaration) = 0;
   virtual void record(Recorder& recorder, const FrameState& state) = 0;
+  // Of techniques with REPRISE_TECHNIQUE_REQUESTS; called before record with the same state.
+  virtual void recordRequest(Recorder&, const FrameState&) {}
 };
 
 struct TechniqueEntry {

@@ -14,6 +14,7 @@ const char* VulkanFunctions::load(VkInstance instance, VkDevice device,
   if (name == nullptr) return "vk" #name;
   REPRISE_LOAD_INSTANCE(GetPhysicalDeviceMemoryProperties)
   REPRISE_LOAD_INSTANCE(GetPhysicalDeviceProperties)
+  REPRISE_LOAD_INSTANCE(GetPhysicalDeviceFormatProperties)
 #undef REPRISE_LOAD_INSTANCE
 
 #define REPRISE_LOAD(name)                                                         \

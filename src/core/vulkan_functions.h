@@ -16,6 +16,7 @@ namespace reprise {
   X(CmdClearColorImage)             \
   X(CmdDispatch)                    \
   X(CmdPipelineBarrier)             \
+  X(CmdUpdateBuffer)                \
   X(CmdWriteTimestamp)              \
   X(CreateBuffer)                   \
   X(CreateComputePipelines)         \
@@ -47,6 +48,7 @@ struct VulkanFunctions {
 #undef REPRISE_MEMBER
   PFN_vkGetPhysicalDeviceMemoryProperties GetPhysicalDeviceMemoryProperties = nullptr;
   PFN_vkGetPhysicalDeviceProperties GetPhysicalDeviceProperties = nullptr;
+  PFN_vkGetPhysicalDeviceFormatProperties GetPhysicalDeviceFormatProperties = nullptr;
 
   // The name of a function that the host's loader does not give, or nullptr when all were found.
   const char* load(VkInstance instance, VkDevice device,

@@ -7,6 +7,7 @@
 
 namespace reprise {
 
+extern const TechniqueEntry kAmortizedEntry;
 extern const TechniqueEntry kNoneEntry;
 extern const TechniqueEntry kReprojectionEntry;
 extern const TechniqueEntry kTaaEntry;
@@ -16,6 +17,7 @@ std::span<const TechniqueEntry> techniqueList() {
       kNoneEntry,
       kReprojectionEntry,
       kTaaEntry,
+      kAmortizedEntry,
   };
   return kList;
 }

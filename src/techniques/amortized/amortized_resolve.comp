@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: MIT
+//
+// Amortized supersampling, one frame: writes one subpixel buffer and the pixel. Yang et al. 2009,
+// section 5; numbers in brackets are the paper's equations.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/half_rounding.glsl"
+#include "core/workgroup.h"
+#include "techniques/amortized/reproject.glsl"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+// 1: residuals are kept and bound alpha (26, 27).
+layout(constant_id = 3) const uint kResiduals = 0u;
+// Radius of the tent that gathers for the buffer; float bits.
+layout(constant_id = 4) const float kTentRadius_px = 0.5;
+
+layout(binding = 10) uniform sampler2D color_image;
+layout(binding = 11) uniform sampler2D extra_image;  // rgb: sum of served requests, a: their number
+layout(binding = 12) uniform sampler2D count_image;  // N of the previous frame
+layout(binding = 13) uniform sampler2D residual_image;  // of the last four updates, signed roots
+layout(binding = 14) uniform sampler2D smoothed_residual_image;
+layout(binding = 15) writeonly uniform image2D next_buffer_image;
+layout(binding = 16) writeonly uniform image2D next_count_image;
+layout(binding = 17) writeonly uniform image2D next_motion_image_0;
+layout(binding = 18) writeonly uniform image2D next_motion_image_1;
+layout(binding = 19) writeonly uniform image2D next_residual_image;
+layout(binding = 20) writeonly uniform image2D output_image;
+layout(binding = 21, std140) uniform Constants {
+  AmortizedConstants k;
+};
+
+const float kPixelTentRadius_px = 1.0;
+
+float blurByte(ivec2 cell) {
+  int index = cell.y * 64 + cell.x;
+  uvec4 words = k.blur_slice[index >> 4];
+  uint word = words[(index >> 2) & 3];
+  return float((word >> (8 * (index & 3))) & 255u) * (1.0 / 255.0);
+}
+
+// alpha_tau_b at the fractional velocity, bilinear in the table.
+float blurBound(vec2 motion_px) {
+  vec2 at = fract(motion_px) * 63.0;
+  ivec2 cell = min(ivec2(at), ivec2(62));
+  vec2 f = at - vec2(cell);
+  float low = mix(blurByte(cell), blurByte(cell + ivec2(1, 0)), f.x);
+  float high = mix(blurByte(cell + ivec2(0, 1)), blurByte(cell + ivec2(1, 1)), f.x);
+  return mix(low, high, f.y) * k.blur_scale;
+}
+
+float storedWrites(int frames) {
+  return k.writes[frames >> 2][frames & 3];
+}
+
+// How often the buffer to be written was written in the last `count` frames; between whole numbers
+// linear.
+float writesAmong(float count) {
+  float periods = floor(count * (1.0 / 32.0));
+  float rest = count - 32.0 * periods;
+  int low = int(rest);
+  float below = storedWrites(low);
+  float above = low < 31 ? storedWrites(low + 1) : k.writes_a_period;
+  return periods * k.writes_a_period + mix(below, above, rest - float(low));
+}
+
+float luminance(vec3 color) {
+  return dot(color, vec3(0.2126, 0.7152, 0.0722));
+}
+
+// Residuals lie in 8 bits: the square root keeps small ones apart.
+vec4 packedResiduals(vec4 residuals) {
+  return sign(residuals) * sqrt(min(abs(residuals), vec4(1.0)));
+}
+vec4 unpackedResiduals(vec4 stored) {
+  return sign(stored) * stored * stored;
+}
+
+void main() {
+  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 extent_px = ivec2(k.frame.extent_px);
+  if (any(greaterThanEqual(px, extent_px))) return;
+
+  vec3 current = fetchColor(color_image, px, extent_px - 1);
+  Surface s = surfaceAt(k, px);
+  vec2 motions_px[4];
+  vec4 chained[2];
+  motionsToBuffers(k, s, motions_px, chained);
+
+  // (16) for the buffer to be written and (20) for the pixel.
+  vec3 target_sum = vec3(0.0);
+  float target_weight = 0.0;
+  vec3 pixel_sum = vec3(0.0);
+  float pixel_weight = 0.0;
+  for (uint b = 0u; b < kBuffers; ++b) {
+    Gathered target = gatherBuffer(b, k, s, motions_px[b], k.target_px.xy, kTentRadius_px);
+    target_sum += target.sum;
+    target_weight += target.weight;
+    Gathered pixel = gatherBuffer(b, k, s, motions_px[b], vec2(0.0), kPixelTentRadius_px);
+    pixel_sum += pixel.sum;
+    pixel_weight += pixel.weight;
+  }
+  bool seen_before = pixel_weight > 1.0e-4;
+
+  // Weight of the new sample (26): in the pixel, beta; in its buffer, alpha.
+  vec2 previous_px = previousPx(k, s);
+  vec2 previous_uv =
+      clamp(previous_px, vec2(0.5), k.frame.extent_px - 0.5) * k.frame.history_texel_uv;
+  float count = seen_before ? textureLod(count_image, previous_uv, 0.0).x : 0.0;
+  float bound = 0.0;
+  if (seen_before) bound = blurBound(s.motion_px);
+  vec4 residuals = vec4(0.0);
+  if (kResiduals != 0u && seen_before) {
+    residuals = unpackedResiduals(textureLod(residual_image, previous_uv, 0.0));
+    float smoothed = textureLod(smoothed_residual_image, previous_uv, 0.0).x;
+    bound = max(bound, residualBound(smoothed, k.residual_tolerance));
+  }
+  float buffers = float(kBuffers);
+  float beta = max(1.0 / (count + 1.0), bound / buffers);
+  // On a view at rest beta says 1/t; the buffer's own mean over its n writes is exact with 1/n.
+  float alpha = clamp(max(1.0 / (writesAmong(count) + 1.0), bound), 0.0, 1.0);
+  if (k.fixed_alpha > 0.0) {
+    alpha = k.fixed_alpha;
+    beta = alpha / buffers;
+  }
+  if (!seen_before) {
+    alpha = 1.0;
+    beta = 1.0;
+  }
+
+  // (12). Without a valid texel under the tent the buffer starts anew.
+  vec3 estimate = current;
+  float residual = 0.0;
+  if (target_weight > 1.0e-4) {
+    vec3 reconstructed = target_sum / target_weight;
+    residual = luminance(current) - luminance(reconstructed);
+    estimate = mix(reconstructed, current, alpha);
+  }
+
+  // (20), with served requests in the place of buffers whose reprojection failed (section 5.3).
+  if (k.extra_given > 0.5) {
+    vec4 extra = texelFetch(extra_image, px, 0);
+    if (extra.a > 0.0) {
+      pixel_sum += sanitizedColor(extra.rgb);
+      pixel_weight += extra.a;
+    }
+  }
+  vec3 pixel = current;
+  if (pixel_weight > 1.0e-4) pixel = mix(pixel_sum / pixel_weight, current, alpha / buffers);
+
+  vec3 stored = roundedToHalf(estimate, px, k.frame.frame_number, true);
+  // 0 says "never written": the nearest surface is a little in front of the eye.
+  float stored_depth = clamp(depthAt(k, px, extent_px - 1), 1.0e-6, kFarthestHalf);
+  imageStore(next_buffer_image, px, vec4(stored, stored_depth));
+  float next_count = seen_before ? min(effectiveSamples(count, beta), k.max_samples) : 1.0;
+  imageStore(next_count_image, px, vec4(next_count));
+  if (kExactMotion == 0u) {
+    imageStore(next_motion_image_0, px, chained[0]);
+    if (kBuffers > 2u) imageStore(next_motion_image_1, px, chained[1]);
+  }
+  if (kResiduals != 0u) {
+    imageStore(next_residual_image, px, packedResiduals(vec4(residual, residuals.xyz)));
+  }
+  imageStore(output_image, px, vec4(pixel, 1.0));
+}

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: MIT
+#include "techniques/amortized/amortized_settings.h"
+
+#include "techniques/amortized/blur_table.h"
+
+namespace reprise::amortized {
+namespace {
+
+constexpr const char* kYang = "Yang et al. 2009";
+constexpr const char* kBufferNames[] = {"1", "2", "4", nullptr};
+constexpr const char* kSampleNames[] = {"shading", "frame", nullptr};
+constexpr const char* kMotionNames[] = {"chained", "exact", nullptr};
+constexpr const char* kOrderNames[] = {"irregular", "round-robin", nullptr};
+
+constexpr auto kSettings = settingTable({
+    choiceSetting(kBufferCount, "buffers", kBuffersFour, kBufferNames,
+                  "subpixel estimates a pixel; more blur less in motion and cost memory and time",
+                  "Yang et al. 2009, section 5.1: 4; other numbers are its future work"),
+    choiceSetting(kSamples, "samples", kSamplesShading, kSampleNames,
+                  "what the plan moves: shading alone, a pixel at a time, or the whole frame by a "
+                  "jittered projection, which antialiases silhouettes too",
+                  "Yang et al. 2009: shading; silhouettes are its future work"),
+    choiceSetting(kMotion, "motion", kMotionChained, kMotionNames,
+                  "motion to the frames of the buffers: chained from frame to frame, or the "
+                  "host's own in RepriseFrame::motion_back",
+                  "chained needs nothing of the host; the paper's is exact"),
+    choiceSetting(kOrder, "order", kOrderIrregular, kOrderNames,
+                  "order in which four buffers are written; round robin drifts",
+                  "Yang et al. 2009, section 5.2 and Figure 6"),
+    switchSetting(kRequests, "requests", true,
+                  "repriseRecordRequest lists the quadrants whose reprojection fails, for the host "
+                  "to shade; a host that does not call it loses nothing else",
+                  "Yang et al. 2009, section 5.3"),
+    numberSetting(kBlur, "blur", 1.0, 0.0, kWidestBlur_px2, "px^2",
+                  "largest second moment that resampling may reach (tau_b); raising it averages "
+                  "more frames and blurs more; 0: every buffer starts anew in motion",
+                  "Yang et al. 2009, section 5.2; default: docs/figures.md"),
+    numberSetting(kResidual, "residual", 0.0, 0.0, 10.0, "luminance",
+                  "residual above which history is let go (tau_eps); raising it trusts history "
+                  "more; 0: never let go, and no residuals are kept",
+                  "Yang et al. 2009, section 6", 1),
+    numberSetting(kFixedAlpha, "fixed_alpha", 0.0, 0.0, 1.0, "",
+                  "weight of a new sample in its buffer, whatever the bounds say; 0: by the bounds",
+                  "Yang et al. 2009, Figures 3 and 6 hold it constant"),
+    numberSetting(kMaxSamples, "max_samples", 1024.0, 1.0, 2048.0, "samples",
+                  "largest effective number of samples; raising it converges further at rest",
+                  "what a half counts exactly; the paper's 8 bits end at 255"),
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.01, 0.001, 1.0, "relative",
+                  "relative difference of depths, beyond the surface's slope, that is still the "
+                  "same surface",
+                  "above the 2^-11 of a depth in half precision; 0.01 is customary"),
+});
+static_assert(kSettings.size() == kSettingCount);
+
+}  // namespace
+
+const RepriseTechniqueInfo kInfo = {
+    .name = "amortized",
+    .summary = "Amortized supersampling: subpixel buffers, bounded blur, requests where it fails",
+    .source = kYang,
+    .flags = REPRISE_TECHNIQUE_USES_HISTORY | REPRISE_TECHNIQUE_REQUESTS,
+    .settings = kSettings.data(),
+    .setting_count = kSettingCount,
+    .presets = nullptr,
+    .preset_count = 0,
+};
+
+}  // namespace reprise::amortized

@@ -264,6 +264,44 @@ TEST_F(Recording, PlanesAreCheckedWhereTheyCount) {
   repriseDestroyContext(device_depth);
 }
 
+TEST_F(Recording, RequestsAreAskedForInOrder) {
+  RepriseContextInfo request_info = goodInfo(said);
+  request_info.technique = "amortized";
+  request_info.settings = nullptr;
+  request_info.setting_count = 0;
+  RepriseContext amortized = nullptr;
+  ASSERT_EQ(repriseCreateContext(&request_info, &amortized), REPRISE_SUCCESS);
+  RepriseSampleRequests requests{};
+  EXPECT_EQ(repriseGetSampleRequests(amortized, &requests), REPRISE_ERROR_INVALID_ARGUMENT);
+  requests.size = sizeof(requests);
+  EXPECT_EQ(repriseGetSampleRequests(amortized, &requests), REPRISE_ERROR_NOT_PREPARED);
+  ASSERT_EQ(reprisePrepare(amortized), REPRISE_SUCCESS);
+  EXPECT_EQ(repriseGetSampleRequests(amortized, &requests), REPRISE_SUCCESS);
+  EXPECT_NE(requests.buffer, VkBuffer{VK_NULL_HANDLE});
+  EXPECT_GT(requests.bytes, 16u);
+  testDevice().submitAndWait([&](VkCommandBuffer commands) {
+    RepriseFrame frame = goodFrame();
+    frame.motion_back_count = REPRISE_MAX_MOTION_BACK + 1;
+    EXPECT_EQ(repriseRecordRequest(amortized, commands, &frame), REPRISE_ERROR_INVALID_ARGUMENT);
+    frame.motion_back_count = 1;  // and no list
+    EXPECT_EQ(repriseRecord(amortized, commands, &frame), REPRISE_ERROR_INVALID_ARGUMENT);
+    frame = goodFrame();
+    RepriseFrame unshaded = frame;
+    unshaded.color = {};
+    unshaded.output = {};
+    EXPECT_EQ(repriseRecordRequest(amortized, commands, &unshaded), REPRISE_SUCCESS);
+    // Once a frame.
+    EXPECT_EQ(repriseRecordRequest(amortized, commands, &unshaded), REPRISE_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(repriseRecord(amortized, commands, &unshaded), REPRISE_ERROR_INVALID_ARGUMENT);
+    EXPECT_EQ(repriseRecord(amortized, commands, &frame), REPRISE_SUCCESS);
+  });
+  const RepriseSettingValue off{"requests", 0.0, "false"};
+  EXPECT_EQ(repriseSetSettings(amortized, &off, 1), REPRISE_SUCCESS);
+  ASSERT_EQ(reprisePrepare(amortized), REPRISE_SUCCESS);
+  EXPECT_EQ(repriseGetSampleRequests(amortized, &requests), REPRISE_ERROR_UNSUPPORTED);
+  repriseDestroyContext(amortized);
+}
+
 TEST_F(Recording, NullArguments) {
   const auto invalid = REPRISE_ERROR_INVALID_ARGUMENT;
   ASSERT_EQ(reprisePrepare(context), REPRISE_SUCCESS);

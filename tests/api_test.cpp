@@ -139,7 +139,7 @@ class Recording : public testing::Test {
         output(testDevice(), {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = kExtent}) {
     const RepriseContextInfo info = goodInfo(said);
     EXPECT_EQ(repriseCreateContext(&info, &context), REPRISE_SUCCESS);
-    inputs = source.prepare(0, {});
+    inputs = source.fill(0, {});
   }
   ~Recording() override {
     repriseDestroyContext(context);

@@ -26,7 +26,7 @@ FormulaSource::FormulaSource(Device& device, VkExtent2D extent, Formula formula)
       depth_(device, {.format = VK_FORMAT_R32_SFLOAT, .extent = extent}),
       motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}) {}
 
-FrameInputs FormulaSource::prepare(uint32_t index, const SamplePlan& plan) {
+FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
   const VkExtent2D extent = info_.extent;
   FloatImage color(extent.width, extent.height, 4);
   FloatImage depth(extent.width, extent.height, 1);
@@ -71,7 +71,7 @@ FrameInputs FormulaSource::prepare(uint32_t index, const SamplePlan& plan) {
 }
 
 FrameInputs FormulaSource::frame(VkCommandBuffer, uint32_t index, const SamplePlan& plan) {
-  return prepare(index, plan);
+  return fill(index, plan);
 }
 
 std::optional<FloatImage> FormulaSource::reference(uint32_t index) {
@@ -109,7 +109,7 @@ FloatImage resolveFrames(Resolver& resolver, FormulaSource& source, uint32_t fra
                          const std::function<void(FrameInputs&)>& change) {
   Device& device = resolver.device();
   for (uint32_t index = first; index < first + frames; ++index) {
-    FrameInputs inputs = source.prepare(index, resolver.plan(index));
+    FrameInputs inputs = source.fill(index, resolver.plan(index));
     if (change) change(inputs);
     device.submitAndWait(
         [&](VkCommandBuffer commands) { resolver.record(commands, inputs, nullptr); });

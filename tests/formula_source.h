@@ -41,7 +41,7 @@ class FormulaSource final : public FrameSource {
   FloatImage motion(uint32_t) override { return motion_texels_; }
 
   // Makes the frame's images at once, outside a command buffer.
-  FrameInputs prepare(uint32_t index, const SamplePlan& plan);
+  FrameInputs fill(uint32_t index, const SamplePlan& plan);
 
  private:
   Device& device_;

@@ -5,6 +5,7 @@
 #define REPRISE_TESTS_EQUATION_SAMPLES_H
 
 #include "equations/accumulation.h"
+#include "equations/amortized.h"
 #include "equations/clipping.h"
 #include "equations/color_space.h"
 #include "equations/filters.h"
@@ -16,7 +17,7 @@
 
 EQ_BEGIN
 
-EQ_CONST uint kEquationCount = 60u;
+EQ_CONST uint kEquationCount = 66u;
 
 EQ_FN vec4 wide2(vec2 v) {
   return vec4(v.x, v.y, 0.0f, 0.0f);
@@ -133,6 +134,17 @@ EQ_FN vec4 reprojectionSample(uint which, uint s) {
   return wide1(sharpenLobe(0.1f + 0.3f * drawn(s, 1u), 0.5f + 0.4f * drawn(s, 2u)));
 }
 
+EQ_FN vec4 amortizedSample(uint which, uint s) {
+  float fx = drawn(s, 1u);
+  float fy = drawn(s, 2u);
+  if (which == 0u) return wide1(bilinearBlurVariance(0.0663f, 0.05f + 0.9f * fx, fy, drawn(s, 3u)));
+  if (which == 1u) return tentWeights(fx, fy, 0.5f + drawn(s, 3u));
+  if (which == 2u) return wide2(bilinearFraction(tentWeights(fx, fy, 1.1f)));
+  if (which == 3u) return wide1(tentGrowth(vec2(2.0f * fx, fy), vec2(fy, drawn(s, 3u))));
+  if (which == 4u) return wide1(effectiveSamples(1.0f + 30.0f * fx, fy));
+  return wide1(residualBound(fx - 0.5f, 0.1f));
+}
+
 // Equation `which` in [0, kEquationCount) on arguments of `seed`.
 EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 10u) return filterSample(which, seed);
@@ -140,7 +152,8 @@ EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 32u) return accumulationSample(which - 22u, seed);
   if (which < 39u) return clipSample(which - 32u, seed);
   if (which < 51u) return jitterSample(which - 39u, seed);
-  return reprojectionSample(which - 51u, seed);
+  if (which < 60u) return reprojectionSample(which - 51u, seed);
+  return amortizedSample(which - 60u, seed);
 }
 
 EQ_END

@@ -31,10 +31,10 @@ constexpr auto kSettings = settingTable({
                   "repriseRecordRequest lists the quadrants whose reprojection fails, for the host "
                   "to shade; a host that does not call it loses nothing else",
                   "Yang et al. 2009, section 5.3"),
-    numberSetting(kBlur, "blur", 1.0, 0.0, kWidestBlur_px2, "px^2",
+    numberSetting(kBlur, "blur", 0.25, 0.0, kWidestBlur_px2, "px^2",
                   "largest second moment that resampling may reach (tau_b); raising it averages "
                   "more frames and blurs more; 0: every buffer starts anew in motion",
-                  "Yang et al. 2009, section 5.2; default: docs/figures.md"),
+                  "Yang et al. 2009, section 5.2; default: README.md, blur tolerance"),
     numberSetting(kResidual, "residual", 0.0, 0.0, 10.0, "luminance",
                   "residual above which history is let go (tau_eps); raising it trusts history "
                   "more; 0: never let go, and no residuals are kept",

@@ -141,7 +141,7 @@ EQ_FN vec4 amortizedSample(uint which, uint s) {
   if (which == 1u) return tentWeights(fx, fy, 0.5f + drawn(s, 3u));
   if (which == 2u) return wide2(bilinearFraction(tentWeights(fx, fy, 1.1f)));
   if (which == 3u) return wide1(tentGrowth(vec2(2.0f * fx, fy), vec2(fy, drawn(s, 3u))));
-  if (which == 4u) return wide1(effectiveSamples(1.0f + 30.0f * fx, fy));
+  if (which == 4u) return wide1(varianceReduction(1.0f + 30.0f * fx, fy));
   return wide1(residualBound(fx - 0.5f, 0.1f));
 }
 

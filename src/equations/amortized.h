@@ -44,8 +44,8 @@ EQ_FN float tentGrowth(vec2 column_x, vec2 column_y) {
   return max(max(x, y), 1.0f);
 }
 
-// Effective number of samples after one of weight `beta` joined `count` of them (8).
-EQ_FN float effectiveSamples(float count, float beta) {
+// Variance reduction factor N after one sample of weight `beta` joined `count` of them (8).
+EQ_FN float varianceReduction(float count, float beta) {
   float rest = 1.0f - beta;
   return 1.0f / (beta * beta + rest * rest / max(count, 1.0e-6f));
 }

@@ -48,12 +48,12 @@ TEST(Amortized, TheTentGrowsWithMinification) {
 TEST(Amortized, SamplesGrowByOneAtRest) {
   float count = 1.0f;
   for (int t = 2; t < 200; ++t) {
-    count = effectiveSamples(count, 1.0f / (count + 1.0f));
+    count = varianceReduction(count, 1.0f / (count + 1.0f));
     ASSERT_NEAR(count, static_cast<float>(t), 1.0e-3f * static_cast<float>(t));
   }
-  EXPECT_FLOAT_EQ(effectiveSamples(100.0f, 1.0f), 1.0f);
+  EXPECT_FLOAT_EQ(varianceReduction(100.0f, 1.0f), 1.0f);
   // A constant weight settles at (2 - beta) / beta.
-  for (int t = 0; t < 1000; ++t) count = effectiveSamples(count, 0.2f);
+  for (int t = 0; t < 1000; ++t) count = varianceReduction(count, 0.2f);
   EXPECT_NEAR(count, 9.0f, 1.0e-3f);
 }
 

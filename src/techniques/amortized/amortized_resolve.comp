@@ -153,7 +153,7 @@ void main() {
   // 0 says "never written": the nearest surface is a little in front of the eye.
   float stored_depth = clamp(depthAt(k, px, extent_px - 1), 1.0e-6, kFarthestHalf);
   imageStore(next_buffer_image, px, vec4(stored, stored_depth));
-  float next_count = seen_before ? min(effectiveSamples(count, beta), k.max_samples) : 1.0;
+  float next_count = seen_before ? min(varianceReduction(count, beta), k.max_samples) : 1.0;
   imageStore(next_count_image, px, vec4(next_count));
   if (kExactMotion == 0u) {
     imageStore(next_motion_image_0, px, chained[0]);

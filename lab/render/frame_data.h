@@ -21,9 +21,23 @@ using uint = uint32_t;
 // How far back motion can be asked for (frames).
 LAB_CONST kMaxFramesBack = 8u;
 
-// Kinds of material; each has its shading in lab/scene/shading.
+// Kinds of material; each has its shading in lab/scene/shading, and its line in shading_list.glsl.
 LAB_CONST kMaterialChart = 0u;
 LAB_CONST kMaterialBrick = 1u;
+
+LAB_CONST kMaxLights = 8u;
+LAB_CONST kLightPoint = 0u;
+LAB_CONST kLightCone = 1u;
+LAB_CONST kLightSun = 2u;
+
+// Layers of light: what a pass shows of the scene's light is a mask of these.
+LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and the ambient light
+LAB_CONST kLightLayerDeferred = 2u;  // shaded in every frame and added after the resolve
+LAB_CONST kAllLightLayers = 3u;
+
+// Bindings of passes that shade: 0 to 7 are the scene (scene_buffers.glsl, shade_triangle.glsl),
+// a pass's own begin here.
+LAB_CONST kFirstPassBinding = 8u;
 
 // In an instance's space, or, after the transform pass, in world space (m).
 struct GpuVertex {
@@ -48,9 +62,13 @@ struct GpuMaterial {
 };
 
 struct GpuLight {
-  vec4 position_world;  // xyz (m)
-  vec4 color;           // rgb: radiant intensity over pi, so that a white wall 1 m away shows it
-  vec4 ambient;         // rgb
+  vec4 position_world;   // xyz (m); not of a sun
+  vec4 color;            // rgb: radiant intensity over pi, so that a white wall 1 m away shows it;
+                         // of a sun: what a white wall that faces it shows
+  vec4 direction_world;  // xyz: unit, the way the light goes (cone, sun)
+  vec2 cone_cosines;     // of the half angles: full light inside the first, none outside the second
+  uint kind;
+  uint layer;
 };
 
 // One frame. Element a of the arrays is a frames back; transforms of instances lie in a buffer of
@@ -58,10 +76,15 @@ struct GpuLight {
 struct GpuFrame {
   mat4 view_projection[9];  // to Vulkan clip space, reversed infinite depth, no jitter
   vec4 eye_world;           // xyz
-  GpuLight light;
+  vec4 ambient;             // rgb: what a white surface shows without any light
+  GpuLight lights[8];       // kMaxLights
   vec2 extent_px;
   uint instance_count;
   float mip_bias;
+  float time_s;
+  uint light_count;
+  uint padding_0;
+  uint padding_1;
 };
 
 // Push constants of the passes.
@@ -78,7 +101,11 @@ struct ShadeConstants {
   float offset_sigma_px;
   uint offset_seed;
   uint offset_quadrant;
-  uint padding;
+  uint light_layers;  // mask of kLightLayer...
+};
+
+struct ServeConstants {
+  uint light_layers;
 };
 
 struct MotionConstants {
@@ -101,7 +128,8 @@ struct FinishConstants {
 #ifdef __cplusplus
 static_assert(sizeof(GpuVertex) == 32);
 static_assert(sizeof(GpuMaterial) == 32);
-static_assert(sizeof(GpuFrame) == 9 * 64 + 16 + 48 + 16);
+static_assert(sizeof(GpuLight) == 64);
+static_assert(sizeof(GpuFrame) == 9 * 64 + 32 + kMaxLights * sizeof(GpuLight) + 32);
 }  // namespace reprise::lab
 #endif
 

@@ -25,10 +25,11 @@ vec2 projectedPx(vec3 position_world, uint frames_back) {
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(px, ivec2(frame.extent_px)))) return;
-  uvec4 triangle;
+  VisibleTriangle seen;
   vec2 motion_px = vec2(0.0);
   vec2 ndc = (vec2(px) + 0.5 - push.jitter_px) / frame.extent_px * 2.0 - 1.0;
-  if (fetchTriangle(px, triangle)) {
+  if (fetchTriangle(px, seen)) {
+    uvec4 triangle = seen.triangle;
     vec3 p0 = positionU(triangle.x).xyz;
     vec3 p1 = positionU(triangle.y).xyz;
     vec3 p2 = positionU(triangle.z).xyz;

@@ -31,15 +31,9 @@ constexpr uint32_t kFinishShader[] = {
 };
 
 constexpr VkDescriptorType kStorageBuffer = VK_DESCRIPTOR_TYPE_STORAGE_BUFFER;
-constexpr VkDescriptorType kUniform = VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER;
 constexpr VkDescriptorType kTexels = VK_DESCRIPTOR_TYPE_UNIFORM_TEXEL_BUFFER;
 constexpr VkDescriptorType kSampled = VK_DESCRIPTOR_TYPE_COMBINED_IMAGE_SAMPLER;
 constexpr VkDescriptorType kStored = VK_DESCRIPTOR_TYPE_STORAGE_IMAGE;
-
-template <typename T>
-std::span<const T> spanOf(const std::vector<T>& values) {
-  return {values.data(), values.size()};
-}
 
 template <typename T>
 void append(std::vector<uint8_t>& bytes, const T* data, size_t count) {
@@ -67,88 +61,46 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
       run_(run),
       extent_(extent),
       frame_rate_(frame_rate),
+      buffers_(device, *scene_),
       visible_(device, {.format = VK_FORMAT_R32G32_UINT, .extent = extent, .render_target = true}),
       depth_(device, {.format = VK_FORMAT_D32_SFLOAT, .extent = extent, .render_target = true}),
       motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}),
       color_(device, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent}),
       sum_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = extent}) {
-  createBuffers(device);
   createPrograms(device);
 }
 
-void Renderer::createBuffers(Device& device) {
-  const Geometry& geometry = scene_->geometry();
-  vertices_ = deviceBuffer(device, spanOf(geometry.vertices));
-  indices_ = deviceBuffer(device, spanOf(geometry.indices));
-  materials_ = deviceBuffer(device, spanOf(geometry.materials));
-  std::vector<GpuTriangle> triangles(geometry.indices.size() / 3);
-  for (const Instance& instance : geometry.instances) {
-    for (uint32_t k = 0; k < instance.index_count; k += 3) {
-      const uint32_t* corner = &geometry.indices[instance.first_index + k];
-      triangles[(instance.first_index + k) / 3] = {corner[0], corner[1], corner[2],
-                                                   instance.material};
-    }
-  }
-  triangles_ = deviceBuffer(device, spanOf(triangles));
-  triangles_.makeTexelView(VK_FORMAT_R32G32B32A32_UINT);
-  frame_ = Buffer(device, sizeof(GpuFrame), BufferKind::kHost);
-  transforms_ = Buffer(device, (kMaxFramesBack + 1) * geometry.instances.size() * sizeof(glm::mat4),
-                       BufferKind::kHost);
-  std::vector<uint32_t> vertex_instances(geometry.vertices.size(), 0);
-  for (uint32_t i = 0; i < geometry.instances.size(); ++i) {
-    const Instance& instance = geometry.instances[i];
-    for (uint32_t k = 0; k < instance.index_count; ++k) {
-      vertex_instances[geometry.indices[instance.first_index + k]] = i;
-    }
-  }
-  vertex_instances_ = deviceBuffer(device, spanOf(vertex_instances));
-  world_ = Buffer(device, vertices_.bytes(), BufferKind::kDevice);
-  world_.makeTexelView(VK_FORMAT_R32G32B32A32_SFLOAT);
-  previous_world_ =
-      Buffer(device, geometry.vertices.size() * sizeof(glm::vec4), BufferKind::kDevice);
-  previous_world_.makeTexelView(VK_FORMAT_R32G32B32A32_SFLOAT);
-  counter_ = Buffer(device, sizeof(uint32_t), BufferKind::kHost);
-  std::memset(counter_.mapped(), 0, counter_.bytes());
-}
-
 std::vector<uint32_t> Renderer::shadeSpecialization(bool accumulate) const {
-  uint32_t kinds = 0;
-  const std::vector<GpuMaterial>& materials = scene_->geometry().materials;
-  for (const GpuMaterial& material : materials) kinds |= 1u << material.kind;
-  const auto only_kind = materials.size() == 1 ? materials[0].kind : ~0u;
-  return {kinds, accumulate ? 1u : 0u, only_kind};
+  return {buffers_.materialKinds(), accumulate ? 1u : 0u, buffers_.onlyKind()};
 }
 
 ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
-  return ComputeProgram(device, {.name = "shade",
-                                 .spirv = kShadeShader,
-                                 .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer,
-                                              kStored, kStored, kStorageBuffer},
-                                 .push_bytes = sizeof(ShadeConstants),
-                                 .specialization = shadeSpecialization(accumulate)});
+  return ComputeProgram(device,
+                        {.name = "shade",
+                         .spirv = kShadeShader,
+                         .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored, kStored}),
+                         .push_bytes = sizeof(ShadeConstants),
+                         .specialization = shadeSpecialization(accumulate)});
 }
 
 void Renderer::createPrograms(Device& device) {
-  visibility_program_ =
-      GraphicsProgram(device, {.name = "visibility",
-                               .vertex_spirv = kVisibilityVertexShader,
-                               .fragment_spirv = kVisibilityFragmentShader,
-                               .bindings = {kUniform, kStorageBuffer, kStorageBuffer},
-                               .push_bytes = sizeof(VisibilityConstants),
-                               .color_format = VK_FORMAT_R32G32_UINT});
-  transform_program_ =
-      ComputeProgram(device, {.name = "transform",
-                              .spirv = kTransformShader,
-                              .bindings = {kUniform, kStorageBuffer, kStorageBuffer, kStorageBuffer,
-                                           kStorageBuffer, kStorageBuffer},
-                              .push_bytes = sizeof(TransformConstants),
-                              .specialization = {}});
-  motion_program_ =
-      ComputeProgram(device, {.name = "motion",
-                              .spirv = kMotionShader,
-                              .bindings = {kUniform, kTexels, kTexels, kSampled, kTexels, kStored},
-                              .push_bytes = sizeof(MotionConstants),
-                              .specialization = {}});
+  visibility_program_ = GraphicsProgram(device, {.name = "visibility",
+                                                 .vertex_spirv = kVisibilityVertexShader,
+                                                 .fragment_spirv = kVisibilityFragmentShader,
+                                                 .bindings = SceneBuffers::visibilityTypes(),
+                                                 .push_bytes = sizeof(VisibilityConstants),
+                                                 .color_format = VK_FORMAT_R32G32_UINT});
+  transform_program_ = ComputeProgram(device, {.name = "transform",
+                                               .spirv = kTransformShader,
+                                               .bindings = SceneBuffers::transformTypes(),
+                                               .push_bytes = sizeof(TransformConstants),
+                                               .specialization = {}});
+  motion_program_ = ComputeProgram(
+      device, {.name = "motion",
+               .spirv = kMotionShader,
+               .bindings = followedBy(SceneBuffers::surfaceTypes(), {kTexels, kStored}),
+               .push_bytes = sizeof(MotionConstants),
+               .specialization = {}});
   shade_program_ = createShadeProgram(device, false);
   accumulate_program_ = createShadeProgram(device, true);
   mean_program_ = ComputeProgram(device, {.name = "mean",
@@ -170,40 +122,46 @@ RepriseCamera Renderer::cameraAt(double time_s, float* near_plane) const {
   return camera;
 }
 
+double Renderer::timeOf(int64_t index) const {
+  if (run_.camera->frozen_at_s.has_value()) return *run_.camera->frozen_at_s;
+  return static_cast<double>(std::max<int64_t>(index, 0)) / frame_rate_;
+}
+
 void Renderer::setFrame(uint32_t index, float mip_bias) {
   GpuFrame data{};
-  const auto instance_count = static_cast<uint32_t>(scene_->geometry().instances.size());
-  auto* transforms = static_cast<glm::mat4*>(transforms_.mapped());
   for (uint32_t age = 0; age <= kMaxFramesBack; ++age) {
-    const double time_s = static_cast<double>(index - std::min(age, index)) / frame_rate_;
+    const double time_s = timeOf(int64_t{index} - age);
     const RepriseCamera camera = cameraAt(time_s, nullptr);
     glm::mat4 view;
     glm::mat4 proj;
     std::memcpy(&view, camera.view, sizeof(view));
     std::memcpy(&proj, camera.projection, sizeof(proj));
     data.view_projection[age] = proj * view;
-    for (uint32_t i = 0; i < instance_count; ++i) {
-      transforms[age * instance_count + i] = scene_->transform(i, time_s);
+    glm::mat4* transforms = buffers_.transforms(age);
+    for (uint32_t i = 0; i < buffers_.instanceCount(); ++i) {
+      transforms[i] = scene_->transform(i, time_s);
     }
   }
-  const double now_s = static_cast<double>(index) / frame_rate_;
+  const double now_s = timeOf(index);
   camera_ = cameraAt(now_s, &near_plane_);
   const CameraPose pose = scene_->camera(run_.camera->name, run_.values, now_s, extent_.height);
   data.eye_world = glm::vec4(pose.eye_world, 1.0f);
-  data.light = scene_->light(now_s);
+  const SceneLights lights = scene_->lights(now_s);
+  data.light_count = std::min(static_cast<uint32_t>(lights.lights.size()), kMaxLights);
+  std::copy_n(lights.lights.begin(), data.light_count, data.lights);
+  data.ambient = glm::vec4(lights.ambient, 0.0f);
   data.extent_px = glm::vec2(extent_.width, extent_.height);
-  data.instance_count = instance_count;
+  data.instance_count = buffers_.instanceCount();
   data.mip_bias = mip_bias;
-  std::memcpy(frame_.mapped(), &data, sizeof(data));
+  data.time_s = static_cast<float>(now_s);
+  buffers_.frame() = data;
 }
 
 void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) const {
   constexpr uint32_t kRow = 1024;
-  const auto count = static_cast<uint32_t>(scene_->geometry().vertices.size());
+  const uint32_t count = buffers_.vertexCount();
   transform_program_.dispatch(
-      commands, {kRow, (count + kRow - 1) / kRow},
-      {uniform(frame_), stored(vertices_), stored(vertex_instances_), stored(transforms_),
-       stored(world_), stored(previous_world_)},
+      commands, {kRow, (count + kRow - 1) / kRow}, buffers_.transformBindings(),
       TransformConstants{count, kRow, std::min(frames_back, kMaxFramesBack), 0});
   fullBarrier(commands);
 }
@@ -214,7 +172,7 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
   visibility_program_.bind(commands);
   const std::vector<Instance>& instances = scene_->geometry().instances;
   for (uint32_t i = 0; i < instances.size(); ++i) {
-    visibility_program_.push(commands, {uniform(frame_), stored(world_), stored(indices_)},
+    visibility_program_.push(commands, buffers_.visibilityBindings(),
                              VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
     vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
   }
@@ -243,13 +201,12 @@ void Renderer::recordMotionBack(VkCommandBuffer commands, eq::vec2 jitter_px,
 void Renderer::prepareServe() {
   if (extra_.view() != VK_NULL_HANDLE) return;
   extra_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
-  serve_program_ =
-      ComputeProgram(device_, {.name = "serve",
-                               .spirv = kServeShader,
-                               .bindings = {kUniform, kTexels, kTexels, kSampled, kStorageBuffer,
-                                            kStored, kStorageBuffer, kStorageBuffer},
-                               .push_bytes = 0,
-                               .specialization = shadeSpecialization(false)});
+  serve_program_ = ComputeProgram(
+      device_, {.name = "serve",
+                .spirv = kServeShader,
+                .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored, kStorageBuffer}),
+                .push_bytes = sizeof(ServeConstants),
+                .specialization = shadeSpecialization(false)});
 }
 
 void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests) const {
@@ -259,8 +216,8 @@ void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests) const {
   fullBarrier(commands);
   serve_program_.dispatchIndirect(
       commands, requests,
-      {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_), stored(materials_),
-       stored(extra_), stored(requests), stored(counter_)});
+      followedBy(buffers_.shadingBindings(visible_), {stored(extra_), stored(requests)}),
+      ServeConstants{kAllLightLayers});
   fullBarrier(commands);
 }
 
@@ -268,8 +225,8 @@ void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq
                                 uint32_t frames_back) const {
   motion_program_.dispatch(
       commands, extent_,
-      {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
-       texels(previous_world_), stored(image)},
+      followedBy(buffers_.surfaceBindings(visible_),
+                 {texels(buffers_.previousWorld()), stored(image)}),
       MotionConstants{{jitter_px.x, jitter_px.y}, std::min(frames_back, kMaxFramesBack), 0});
   fullBarrier(commands);
 }
@@ -277,8 +234,7 @@ void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq
 void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
                                const ShadeConstants& constants) const {
   program.dispatch(commands, extent_,
-                   {uniform(frame_), texels(world_), texels(triangles_), sampled(visible_),
-                    stored(materials_), stored(color_), stored(sum_), stored(counter_)},
+                   followedBy(buffers_.shadingBindings(visible_), {stored(color_), stored(sum_)}),
                    constants);
   fullBarrier(commands);
 }
@@ -304,7 +260,8 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
       timestamps->start(commands, "shade");
     }
     const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
-                                   .unjitter = switches.unjitter_textures ? 1u : 0u};
+                                   .unjitter = switches.unjitter_textures ? 1u : 0u,
+                                   .light_layers = kAllLightLayers};
     recordShadeWith(commands, accumulate_program_, constants);
     if (timestamps != nullptr) timestamps->stop(commands);
   }
@@ -316,28 +273,9 @@ void Renderer::recordMean(VkCommandBuffer commands, float scale) const {
   fullBarrier(commands);
 }
 
-uint64_t Renderer::takeEvaluations() {
-  auto* counter = static_cast<uint32_t*>(counter_.mapped());
-  const uint64_t evaluations = *counter;
-  *counter = 0;
-  return evaluations;
-}
-
 std::vector<uint8_t> Renderer::contentBytes() const {
   std::vector<uint8_t> bytes;
-  const Geometry& geometry = scene_->geometry();
-  append(bytes, geometry.vertices.data(), geometry.vertices.size());
-  append(bytes, geometry.indices.data(), geometry.indices.size());
-  append(bytes, geometry.instances.data(), geometry.instances.size());
-  append(bytes, geometry.materials.data(), geometry.materials.size());
-  // Of the current frame only: earlier cameras do not change how it looks.
-  const auto* frame = static_cast<const GpuFrame*>(frame_.mapped());
-  append(bytes, &frame->view_projection[0], 1);
-  append(bytes, &frame->eye_world, 1);
-  append(bytes, &frame->light, 1);
-  append(bytes, &frame->extent_px, 1);
-  append(bytes, &frame->mip_bias, 1);
-  append(bytes, static_cast<const glm::mat4*>(transforms_.mapped()), geometry.instances.size());
+  buffers_.appendContent(bytes);
   append(bytes, kVisibilityVertexShader, std::size(kVisibilityVertexShader));
   append(bytes, kVisibilityFragmentShader, std::size(kVisibilityFragmentShader));
   append(bytes, kShadeShader, std::size(kShadeShader));

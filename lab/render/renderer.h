@@ -13,6 +13,7 @@
 #include "equations/language.h"
 #include "lab/frame_inputs.h"
 #include "lab/render/frame_data.h"
+#include "lab/render/scene_buffers.h"
 #include "lab/scene/scene.h"
 #include "lab/vk/compute_program.h"
 #include "lab/vk/graphics_program.h"
@@ -67,7 +68,7 @@ class Renderer {
   float nearPlane() const { return near_plane_; }
 
   // Surface evaluations since the last call; after the recorded work has finished.
-  uint64_t takeEvaluations();
+  uint64_t takeEvaluations() { return buffers_.takeEvaluations(); }
 
   // Bytes that determine what setFrame's frame looks like, for content hashes: geometry,
   // transforms, camera, lights and shaders.
@@ -75,9 +76,10 @@ class Renderer {
 
  private:
   RepriseCamera cameraAt(double time_s, float* near_plane) const;
-  void createBuffers(Device& device);
   void createPrograms(Device& device);
   ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
+  // Seconds at which the scene is in frame `index`; earlier frames than 0 repeat it.
+  double timeOf(int64_t index) const;
   std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
   void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
                        const ShadeConstants& constants) const;
@@ -93,16 +95,7 @@ class Renderer {
   RepriseCamera camera_{};
   float near_plane_ = 0.1f;
 
-  Buffer frame_;
-  Buffer vertices_;
-  Buffer indices_;
-  Buffer triangles_;
-  Buffer vertex_instances_;
-  Buffer transforms_;
-  Buffer world_;
-  Buffer previous_world_;
-  Buffer materials_;
-  Buffer counter_;
+  SceneBuffers buffers_;
   Image visible_;
   Image depth_;
   Image motion_;

@@ -13,10 +13,16 @@ layout(binding = 1) uniform samplerBuffer world_texels;      // GpuVertex: two t
 layout(binding = 2) uniform usamplerBuffer triangle_texels;  // GpuTriangle: one texel each
 layout(binding = 3) uniform usampler2D visibility_image;
 
+struct VisibleTriangle {
+  uvec4 triangle;  // GpuTriangle
+  uint instance;
+};
+
 // What visibility saw at a pixel; false where it saw nothing.
-bool fetchTriangle(ivec2 px, out uvec4 triangle) {
+bool fetchTriangle(ivec2 px, out VisibleTriangle seen) {
   uvec2 visible = texelFetch(visibility_image, px, 0).xy;
-  triangle = texelFetch(triangle_texels, int(visible.y));
+  seen.triangle = texelFetch(triangle_texels, int(visible.y));
+  seen.instance = visible.x - 1u;
   return visible.x != 0u;
 }
 

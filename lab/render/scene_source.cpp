@@ -92,7 +92,8 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
                                    .offset_on = offset ? 1u : 0u,
                                    .offset_sigma_px = sampling.shading_offset_sigma_px,
                                    .offset_seed = sampling.shading_offset_seed,
-                                   .offset_quadrant = sampling.shading_offset_quadrant};
+                                   .offset_quadrant = sampling.shading_offset_quadrant,
+                                   .light_layers = kAllLightLayers};
     span("shade", [&] { renderer_.recordShade(commands, constants); });
   }
 

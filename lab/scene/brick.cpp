@@ -47,10 +47,9 @@ class Brick final : public Scene {
     return pose;
   }
 
-  GpuLight light(double) const override {
-    return {.position_world = glm::vec4(-1.1f, 1.3f, 0.9f, 0.0f),
-            .color = glm::vec4(5.2f, 4.6f, 3.8f, 0.0f),
-            .ambient = glm::vec4(0.10f, 0.13f, 0.18f, 0.0f)};
+  SceneLights lights(double) const override {
+    return {.lights = {pointLight({-1.1f, 1.3f, 0.9f}, {5.2f, 4.6f, 3.8f})},
+            .ambient = {0.10f, 0.13f, 0.18f}};
   }
 
  private:
@@ -69,7 +68,7 @@ SceneInfo brickScene() {
                    {{"speed", 0.35, "metres a second; 0.35 is about 1.9 px a frame at 540 rows"}}},
                   {"rotate", "rolls and sways", {}},
                   {"zoom", "in and out, twice the size and back", {}},
-                  {"still", "does not move", {}}},
+                  {"still", "does not move", {}, 0.0}},
       .create = [] { return std::unique_ptr<Scene>(std::make_unique<Brick>()); }};
 }
 

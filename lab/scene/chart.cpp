@@ -40,7 +40,7 @@ class Chart final : public Scene {
     return pose;
   }
 
-  GpuLight light(double) const override { return {}; }
+  SceneLights lights(double) const override { return {}; }
 
  private:
   Geometry geometry_;
@@ -55,7 +55,7 @@ SceneInfo chartScene() {
           .cameras = {{"pan",
                        "constant sub-pixel panning",
                        {{"vx", 0.3, "px a frame, to the right"}, {"vy", 0.2, "px a frame, down"}}},
-                      {"still", "does not move", {}}},
+                      {"still", "does not move", {}, 0.0}},
           .create = [] { return std::unique_ptr<Scene>(std::make_unique<Chart>()); }};
 }
 

@@ -9,6 +9,7 @@
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -50,10 +51,25 @@ struct CameraInfo {
   std::string name;
   std::string motion;  // one line
   std::vector<CameraParameter> parameters;
+  // Where set, time stands still at this second: neither the camera nor anything else moves.
+  std::optional<double> frozen_at_s = std::nullopt;
 };
 
 // Camera parameters by name; every one of CameraInfo::parameters is present.
 using CameraValues = std::map<std::string, double, std::less<>>;
+
+struct SceneLights {
+  std::vector<GpuLight> lights;  // at most kMaxLights
+  glm::vec3 ambient{0.0f};       // GpuFrame::ambient
+};
+
+// A light that shines everywhere from a point (m); `color` as GpuLight has it.
+GpuLight pointLight(glm::vec3 position_world, glm::vec3 color);
+// One from far away; `towards_world` is the way it goes, of any length.
+GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color);
+// Full light within `inner` (radians, half angle), none beyond `outer`.
+GpuLight coneLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
+                   glm::vec3 color);
 
 class Scene {
  public:
@@ -64,7 +80,7 @@ class Scene {
   // `height_px` lets a camera move by pixels.
   virtual CameraPose camera(std::string_view name, const CameraValues& values, double time_s,
                             uint32_t height_px) const = 0;
-  virtual GpuLight light(double time_s) const = 0;
+  virtual SceneLights lights(double time_s) const = 0;
 };
 
 struct SceneInfo {

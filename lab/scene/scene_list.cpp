@@ -2,6 +2,7 @@
 //
 // The one list of scenes; each is defined in its own file.
 #include <charconv>
+#include <cmath>
 #include <filesystem>
 #include <stdexcept>
 
@@ -81,6 +82,33 @@ bool namesScene(const std::string& text) {
     if (info.name == scene) return true;
   }
   return !std::filesystem::exists(text);
+}
+
+GpuLight pointLight(glm::vec3 position_world, glm::vec3 color) {
+  GpuLight light{};
+  light.position_world = glm::vec4(position_world, 1.0f);
+  light.color = glm::vec4(color, 0.0f);
+  light.kind = kLightPoint;
+  light.layer = kLightLayerMain;
+  return light;
+}
+
+GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color) {
+  GpuLight light{};
+  light.direction_world = glm::vec4(glm::normalize(towards_world), 0.0f);
+  light.color = glm::vec4(color, 0.0f);
+  light.kind = kLightSun;
+  light.layer = kLightLayerMain;
+  return light;
+}
+
+GpuLight coneLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
+                   glm::vec3 color) {
+  GpuLight light = pointLight(position_world, color);
+  light.direction_world = glm::vec4(glm::normalize(towards_world), 0.0f);
+  light.cone_cosines = glm::vec2(std::cos(inner), std::cos(outer));
+  light.kind = kLightCone;
+  return light;
 }
 
 void appendWall(Geometry& geometry, float width_m, float height_m, uint32_t columns, uint32_t rows,

@@ -54,7 +54,7 @@ ProgramLayout& ProgramLayout::operator=(ProgramLayout&& other) noexcept {
 }
 
 void ProgramLayout::push(VkCommandBuffer commands, VkPipelineBindPoint point,
-                         std::initializer_list<Bound> bound, const void* constants,
+                         const std::vector<Bound>& bound, const void* constants,
                          uint32_t constant_bytes) const {
   if (bound.size() != types_.size() || constant_bytes != push_bytes_) {
     throw DeviceError("a program was given other bindings or constants than it declares");

@@ -42,6 +42,13 @@ inline Bound uniform(const Buffer& buffer) {
   return {VK_DESCRIPTOR_TYPE_UNIFORM_BUFFER, {}, {buffer.handle(), 0, VK_WHOLE_SIZE}};
 }
 
+// Bindings that many passes share, followed by a pass's own.
+template <typename T>
+std::vector<T> followedBy(std::vector<T> shared, std::initializer_list<T> own) {
+  shared.insert(shared.end(), own);
+  return shared;
+}
+
 // The layout that programs share: set 0 of push descriptors, one range of push constants.
 class ProgramLayout {
  public:
@@ -54,7 +61,7 @@ class ProgramLayout {
 
   VkPipelineLayout handle() const { return layout_; }
   // Throws DeviceError when `bound` or the size of the push constants is not what was declared.
-  void push(VkCommandBuffer commands, VkPipelineBindPoint point, std::initializer_list<Bound> bound,
+  void push(VkCommandBuffer commands, VkPipelineBindPoint point, const std::vector<Bound>& bound,
             const void* constants, uint32_t constant_bytes) const;
 
  private:

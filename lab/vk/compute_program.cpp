@@ -49,7 +49,7 @@ ComputeProgram& ComputeProgram::operator=(ComputeProgram&& other) noexcept {
 }
 
 void ComputeProgram::record(VkCommandBuffer commands, VkExtent2D extent,
-                            std::initializer_list<Bound> bound, const void* constants,
+                            const std::vector<Bound>& bound, const void* constants,
                             uint32_t constant_bytes) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
   layout_.push(commands, VK_PIPELINE_BIND_POINT_COMPUTE, bound, constants, constant_bytes);
@@ -58,10 +58,11 @@ void ComputeProgram::record(VkCommandBuffer commands, VkExtent2D extent,
                 1);
 }
 
-void ComputeProgram::dispatchIndirect(VkCommandBuffer commands, VkBuffer arguments,
-                                      std::initializer_list<Bound> bound) const {
+void ComputeProgram::recordIndirect(VkCommandBuffer commands, VkBuffer arguments,
+                                    const std::vector<Bound>& bound, const void* constants,
+                                    uint32_t constant_bytes) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pipeline_);
-  layout_.push(commands, VK_PIPELINE_BIND_POINT_COMPUTE, bound, nullptr, 0);
+  layout_.push(commands, VK_PIPELINE_BIND_POINT_COMPUTE, bound, constants, constant_bytes);
   vkCmdDispatchIndirect(commands, arguments, 0);
 }
 

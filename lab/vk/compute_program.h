@@ -28,21 +28,27 @@ class ComputeProgram {
 
   // One invocation a pixel of `extent`, no barrier.
   template <typename Constants>
-  void dispatch(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<Bound> bound,
+  void dispatch(VkCommandBuffer commands, VkExtent2D extent, const std::vector<Bound>& bound,
                 const Constants& constants) const {
     record(commands, extent, bound, &constants, sizeof(Constants));
   }
   void dispatch(VkCommandBuffer commands, VkExtent2D extent,
-                std::initializer_list<Bound> bound) const {
+                const std::vector<Bound>& bound) const {
     record(commands, extent, bound, nullptr, 0);
   }
   // As many groups as the first words of `arguments` say, of the size that the shader has.
+  template <typename Constants>
   void dispatchIndirect(VkCommandBuffer commands, VkBuffer arguments,
-                        std::initializer_list<Bound> bound) const;
+                        const std::vector<Bound>& bound, const Constants& constants) const {
+    recordIndirect(commands, arguments, bound, &constants, sizeof(Constants));
+  }
 
  private:
-  void record(VkCommandBuffer commands, VkExtent2D extent, std::initializer_list<Bound> bound,
+  void record(VkCommandBuffer commands, VkExtent2D extent, const std::vector<Bound>& bound,
               const void* constants, uint32_t constant_bytes) const;
+
+  void recordIndirect(VkCommandBuffer commands, VkBuffer arguments, const std::vector<Bound>& bound,
+                      const void* constants, uint32_t constant_bytes) const;
 
   Device* device_ = nullptr;
   ProgramLayout layout_;

@@ -31,7 +31,7 @@ class GraphicsProgram {
 
   void bind(VkCommandBuffer commands) const;
   template <typename Constants>
-  void push(VkCommandBuffer commands, std::initializer_list<Bound> bound,
+  void push(VkCommandBuffer commands, const std::vector<Bound>& bound,
             const Constants& constants) const {
     layout_.push(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound, &constants, sizeof(Constants));
   }

@@ -3,7 +3,7 @@
 #ifndef REPRISE_LAB_BRICK_GLSL
 #define REPRISE_LAB_BRICK_GLSL
 
-#include "lab/render/frame_data.h"
+#include "lab/scene/shading/lighting.glsl"
 #include "lab/scene/shading/noise.glsl"
 #include "lab/scene/shading/surface_point.glsl"
 
@@ -56,7 +56,7 @@ vec3 brickAlbedo(vec2 uv, BrickCell cell, float footprint) {
   return clay * (0.55 + 0.5 * shade) * (0.7 + 0.45 * grain) * (0.8 + 0.3 * stain);
 }
 
-vec3 shadeBrick(SurfacePoint s, GpuLight light) {
+vec3 shadeBrick(SurfacePoint s) {
   BrickCell cell = brickCell(s.uv);
   vec3 albedo = brickAlbedo(s.uv, cell, uvFootprint(s));
   float height = brickHeight(s.uv);
@@ -65,21 +65,14 @@ vec3 shadeBrick(SurfacePoint s, GpuLight light) {
                kBumpStep_m;
   // The wall lies in x and y: its tangents are the world's.
   vec3 normal = normalize(s.normal_world - vec3(slope, 0.0));
-  vec3 to_light = light.position_world.xyz - s.position_world;
-  float distance_squared = dot(to_light, to_light);
-  to_light *= inversesqrt(distance_squared);
-  vec3 arriving = light.color.rgb / distance_squared;
 
-  // Blinn-Phong, normalized; glazed bricks glisten, mortar hardly.
+  // Glazed bricks glisten, mortar hardly.
   bool mortar = cell.inside_m < 0.0;
   float gloss = mortar ? 12.0 : (((cell.hash >> 24) & 7u) == 0u ? 220.0 : 45.0);
   float reflectance = mortar ? 0.02 : 0.05;
-  vec3 halfway = normalize(to_light + s.to_eye_world);
-  float specular = reflectance * (gloss + 8.0) * 0.125 * pow(max(dot(normal, halfway), 0.0), gloss);
-  float facing = max(dot(normal, to_light), 0.0);
   // Joints and pits see less of the sky.
   float open = clamp(height / 0.008, 0.25, 1.0);
-  return albedo * light.ambient.rgb * open + (albedo + specular) * arriving * facing;
+  return litSurface(s, normal, albedo, open, reflectance, gloss);
 }
 
 #endif

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+//
+// A scene on the GPU: geometry and materials, uploaded once; transforms and the frame's block,
+// written for every frame. What each binding holds is declared in scene_buffers.glsl and
+// shade_triangle.glsl.
+#pragma once
+
+#include <cstdint>
+#include <vector>
+
+#include "lab/render/frame_data.h"
+#include "lab/scene/scene.h"
+#include "lab/vk/bindings.h"
+
+namespace reprise::lab {
+
+class SceneBuffers {
+ public:
+  SceneBuffers(Device& device, const Scene& scene);
+
+  // The block of the current frame and the transforms of `age` frames back, one an instance.
+  GpuFrame& frame() { return *static_cast<GpuFrame*>(frame_.mapped()); }
+  glm::mat4* transforms(uint32_t age) {
+    return static_cast<glm::mat4*>(transforms_.mapped()) + size_t{age} * instance_count_;
+  }
+  uint32_t vertexCount() const { return vertex_count_; }
+  uint32_t instanceCount() const { return instance_count_; }
+
+  // Of the transform pass, of the visibility pass.
+  static std::vector<VkDescriptorType> transformTypes();
+  std::vector<Bound> transformBindings() const;
+  static std::vector<VkDescriptorType> visibilityTypes();
+  std::vector<Bound> visibilityBindings() const;
+  // 0 to 3, of every compute pass that looks at surfaces.
+  static std::vector<VkDescriptorType> surfaceTypes();
+  std::vector<Bound> surfaceBindings(const Image& visible) const;
+  // 0 to kFirstPassBinding - 1, of every pass that shades.
+  static std::vector<VkDescriptorType> shadingTypes();
+  std::vector<Bound> shadingBindings(const Image& visible) const;
+  // World positions as the transform pass left them of the frames before.
+  const Buffer& previousWorld() const { return previous_world_; }
+
+  // kKinds, and kOnlyKind of shade_triangle.glsl.
+  uint32_t materialKinds() const { return material_kinds_; }
+  uint32_t onlyKind() const { return only_kind_; }
+
+  // Surface evaluations since the last call; after the recorded work has finished.
+  uint64_t takeEvaluations();
+
+  // Bytes that determine what the current frame looks like, for content hashes.
+  void appendContent(std::vector<uint8_t>& bytes) const;
+
+ private:
+  const Scene& scene_;
+  uint32_t vertex_count_;
+  uint32_t instance_count_;
+  uint32_t material_kinds_ = 0;
+  uint32_t only_kind_ = ~0u;
+  Buffer frame_;
+  Buffer vertices_;
+  Buffer indices_;
+  Buffer triangles_;
+  Buffer vertex_instances_;
+  Buffer transforms_;
+  Buffer world_;
+  Buffer previous_world_;
+  Buffer materials_;
+  Buffer counter_;
+};
+
+}  // namespace reprise::lab

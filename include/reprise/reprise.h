@@ -219,6 +219,15 @@ RepriseResult repriseSetSettings(RepriseContext context, const RepriseSettingVal
 // The value now set (a choice: its index).
 RepriseResult repriseGetSetting(RepriseContext context, const char* name, double* value);
 
+// Holds a frame time: called once a frame, before repriseGetSamplePlan, with the time that the last
+// frame took (its GPU time, not the interval between presents, which a display rounds up). Where
+// the median of some frames is above the target, the technique's settings step down to a cheaper
+// rung; where there is room for long enough, they step up again. `amortized`: `effort` and
+// `budget`. No prepare is needed, history is kept, and the settings chosen are a function of the
+// times alone; repriseGetSetting tells them. Times in (0, 10) s.
+// REPRISE_ERROR_UNSUPPORTED: the technique has nothing to trade.
+RepriseResult repriseHoldFrameTime(RepriseContext context, double measured_s, double target_s);
+
 // Other maximum extents: history is dropped and reprisePrepare must follow. The device must have
 // finished all work recorded with the context.
 RepriseResult repriseResize(RepriseContext context, VkExtent2D max_input_extent,
@@ -341,7 +350,8 @@ RepriseResult repriseRecord(RepriseContext context, VkCommandBuffer commands,
                             const RepriseFrame* frame);
 
 // Passes in the order in which they are recorded; names are static. Valid after reprisePrepare.
-// The pass "request" is repriseRecordRequest's: its queries are written by that call alone.
+// Passes whose names begin with "request" are repriseRecordRequest's: their queries are written by
+// that call alone.
 uint32_t repriseGetPassCount(RepriseContext context);
 const char* repriseGetPassName(RepriseContext context, uint32_t index);
 

@@ -169,6 +169,16 @@ RepriseResult repriseGetSetting(RepriseContext context, const char* name, double
   });
 }
 
+RepriseResult repriseHoldFrameTime(RepriseContext context, double measured_s, double target_s) {
+  return guarded("repriseHoldFrameTime", context, [&] {
+    // Written so that a NaN fails too.
+    const auto sensible = [](double time_s) { return time_s > 0.0 && time_s < 10.0; };
+    require(sensible(measured_s), "measured_s must be in (0, 10) seconds");
+    require(sensible(target_s), "target_s must be in (0, 10) seconds");
+    context->holdFrameTime(measured_s, target_s);
+  });
+}
+
 RepriseResult repriseResize(RepriseContext context, VkExtent2D max_input_extent,
                             VkExtent2D max_output_extent) {
   return guarded("repriseResize", context,

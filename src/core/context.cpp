@@ -41,6 +41,7 @@ RepriseImage Recorder::orUintPlaceholder(const RepriseImage& image) const {
 Context::Context(const RepriseContextInfo& info)
     : entry_(requireTechnique(info.technique)),
       settings_(*entry_.info),
+      effort_(static_cast<uint32_t>(entry_.rungs.size())),
       depth_kind_(info.depth_kind),
       flags_(info.flags),
       frames_in_flight_(info.frames_in_flight),
@@ -122,6 +123,15 @@ double Context::getSetting(const char* name) const {
   return settings_.number(settings_.find(name));
 }
 
+void Context::holdFrameTime(double measured_s, double target_s) {
+  if (entry_.rungs.empty()) {
+    fail(REPRISE_ERROR_UNSUPPORTED,
+         "technique '" + std::string(entry_.info->name) + "' has nothing to trade for frame time");
+  }
+  const EffortRung& rung = entry_.rungs[effort_.next(measured_s, target_s)];
+  settings_.apply(rung.data(), static_cast<uint32_t>(rung.size()));
+}
+
 void Context::resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent) {
   setExtents(max_input_extent, max_output_extent);
   prepared_ = {};
@@ -145,9 +155,11 @@ void Context::prepare() {
   next.constants = std::make_unique<ConstantRing>(gpu_, constant_bytes, frames_in_flight_);
 
   if (declaration.makes_requests) {
-    const uint64_t pixels = uint64_t{max_input_extent_.width} * max_input_extent_.height;
+    next.request_capacity = max_input_extent_.width * max_input_extent_.height;
+    next.request_bins = declaration.request_bins + 1;
+    const uint64_t words = uint64_t{next.request_capacity} + next.request_bins;
     next.requests = std::make_unique<DeviceBuffer>(
-        gpu_, "sample requests", sizeof(kNoRequests) + pixels * sizeof(uint32_t),
+        gpu_, "sample requests", sizeof(kNoRequests) + words * sizeof(uint32_t),
         VK_BUFFER_USAGE_STORAGE_BUFFER_BIT | VK_BUFFER_USAGE_INDIRECT_BUFFER_BIT |
             VK_BUFFER_USAGE_TRANSFER_DST_BIT);
   }
@@ -279,6 +291,10 @@ void Context::recordRequest(VkCommandBuffer commands, const RepriseFrame& frame)
       VK_PIPELINE_STAGE_TRANSFER_BIT, 0, 1, &barrier, 0, nullptr, 0, nullptr);
   gpu_.vk.CmdUpdateBuffer(commands, prepared_.requests->handle(), 0, sizeof(kNoRequests),
                           kNoRequests);
+  gpu_.vk.CmdFillBuffer(
+      commands, prepared_.requests->handle(),
+      sizeof(kNoRequests) + uint64_t{prepared_.request_capacity} * sizeof(uint32_t),
+      uint64_t{prepared_.request_bins} * sizeof(uint32_t), 0);
   barrier.srcAccessMask = VK_ACCESS_TRANSFER_WRITE_BIT;
   barrier.dstAccessMask = VK_ACCESS_SHADER_READ_BIT | VK_ACCESS_SHADER_WRITE_BIT;
   gpu_.vk.CmdPipelineBarrier(commands, VK_PIPELINE_STAGE_TRANSFER_BIT,

@@ -6,6 +6,7 @@
 #include <string>
 #include <vector>
 
+#include "core/effort.h"
 #include "core/technique.h"
 
 namespace reprise {
@@ -17,6 +18,8 @@ struct Prepared {
   std::vector<std::unique_ptr<ComputePass>> passes;
   std::unique_ptr<ConstantRing> constants;
   std::unique_ptr<DeviceBuffer> requests;  // null: none are made
+  uint32_t request_capacity = 0;           // entries
+  uint32_t request_bins = 0;               // words behind them
 };
 
 // Hands a technique its passes and images while it records.
@@ -34,6 +37,7 @@ class Recorder {
   }
   const HistoryImage& history(HistoryHandle handle) const { return *prepared_.histories[handle]; }
   VkBuffer requests() const { return prepared_.requests->handle(); }
+  uint32_t requestCapacity() const { return prepared_.request_capacity; }
   // An optional input, or a 1 x 1 image in its place: every binding must hold a descriptor.
   RepriseImage orFloatPlaceholder(const RepriseImage& image) const;
   RepriseImage orUintPlaceholder(const RepriseImage& image) const;
@@ -54,6 +58,7 @@ class Context {
 
   void setSettings(const RepriseSettingValue* values, uint32_t count);
   double getSetting(const char* name) const;
+  void holdFrameTime(double measured_s, double target_s);
   void resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent);
   void prepare();
   void reset() { reset_pending_ = true; }
@@ -84,6 +89,7 @@ class Context {
   const TechniqueEntry& entry_;
   Gpu gpu_;
   Settings settings_;
+  EffortControl effort_;
   RepriseDepthKind depth_kind_;
   uint32_t flags_;
   uint32_t frames_in_flight_;

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "core/compute_pass.h"
+#include "core/effort.h"
 #include "core/gpu.h"
 #include "core/settings.h"
 #include "equations/language.h"
@@ -49,16 +50,18 @@ class Declaration {
     return static_cast<PassHandle>(passes.size() - 1);
   }
 
-  // The pass that repriseRecordRequest records; at most one. Gives the context its request buffer.
-  PassHandle requestPass(PassInfo info) {
+  // Gives the context its request buffer; the technique's recordRequest fills it. `bins`: words
+  // behind its entries that are zero before, for the technique's own counts, and one more.
+  void makeRequests(uint32_t bins) {
     makes_requests = true;
-    return pass(std::move(info));
+    request_bins = bins;
   }
 
   const Settings& settings;
   VkExtent2D max_input_extent;
   VkExtent2D max_output_extent;
   bool makes_requests = false;
+  uint32_t request_bins = 0;
 
   struct History {
     const char* name;
@@ -110,6 +113,7 @@ class Technique {
 struct TechniqueEntry {
   const RepriseTechniqueInfo* info;
   std::unique_ptr<Technique> (*create)();
+  std::span<const EffortRung> rungs = {};  // for repriseHoldFrameTime; empty: it cannot
 };
 
 std::span<const TechniqueEntry> techniqueList();

@@ -15,6 +15,7 @@ namespace reprise {
   X(CmdBindPipeline)                \
   X(CmdClearColorImage)             \
   X(CmdDispatch)                    \
+  X(CmdFillBuffer)                  \
   X(CmdPipelineBarrier)             \
   X(CmdUpdateBuffer)                \
   X(CmdWriteTimestamp)              \

@@ -7,14 +7,13 @@
 
 #include "core/half_rounding.glsl"
 #include "core/workgroup.h"
+const uint kConstantsBinding = 21u;
 #include "techniques/amortized/reproject.glsl"
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
 // 1: residuals are kept and bound alpha (26, 27).
 layout(constant_id = 3) const uint kResiduals = 0u;
-// Radius of the tent that gathers for the buffer; float bits.
-layout(constant_id = 4) const float kTentRadius_px = 0.5;
 
 layout(binding = 10) uniform sampler2D color_image;
 layout(binding = 11) uniform sampler2D extra_image;  // rgb: sum of served requests, a: their number
@@ -27,11 +26,11 @@ layout(binding = 17) writeonly uniform image2D next_motion_image_0;
 layout(binding = 18) writeonly uniform image2D next_motion_image_1;
 layout(binding = 19) writeonly uniform image2D next_residual_image;
 layout(binding = 20) writeonly uniform image2D output_image;
-layout(binding = 21, std140) uniform Constants {
-  AmortizedConstants k;
-};
 
 const float kPixelTentRadius_px = 1.0;
+// Of a blurred pixel: one a pixel of motion, so that the tents overlap; longer motion is sampled
+// more sparsely.
+const int kMostShutterTaps = 16;
 
 float blurByte(ivec2 cell) {
   int index = cell.y * 64 + cell.x;
@@ -47,7 +46,7 @@ float blurBound(vec2 motion_px) {
   vec2 f = at - vec2(cell);
   float low = mix(blurByte(cell), blurByte(cell + ivec2(1, 0)), f.x);
   float high = mix(blurByte(cell + ivec2(0, 1)), blurByte(cell + ivec2(1, 1)), f.x);
-  return mix(low, high, f.y) * k.blur_scale;
+  return mix(low, high, f.y);
 }
 
 float storedWrites(int frames) {
@@ -83,46 +82,57 @@ void main() {
   if (any(greaterThanEqual(px, extent_px))) return;
 
   vec3 current = fetchColor(color_image, px, extent_px - 1);
-  Surface s = surfaceAt(k, px);
+  Surface s = surfaceAt(px);
   vec2 motions_px[4];
   vec4 chained[2];
-  motionsToBuffers(k, s, motions_px, chained);
+  motionsToBuffers(s, motions_px, chained);
 
   // (16) for the buffer to be written and (20) for the pixel.
   vec3 target_sum = vec3(0.0);
   float target_weight = 0.0;
   vec3 pixel_sum = vec3(0.0);
   float pixel_weight = 0.0;
-  for (uint b = 0u; b < kBuffers; ++b) {
-    Gathered target = gatherBuffer(b, k, s, motions_px[b], k.target_px.xy, kTentRadius_px);
+  for (uint b = 0u; b < kSlots; ++b) {
+    Gathered target = gatherBuffer(b, s, motions_px[b], k.target_px.xy, k.target_px.z);
     target_sum += target.sum;
     target_weight += target.weight;
-    Gathered pixel = gatherBuffer(b, k, s, motions_px[b], vec2(0.0), kPixelTentRadius_px);
-    pixel_sum += pixel.sum;
-    pixel_weight += pixel.weight;
+  }
+  // What passes the pixel while the shutter is open, about the instant of the frame.
+  float open_px = k.shutter * length(s.motion_px);
+  int taps = clamp(int(ceil(open_px)), 1, kMostShutterTaps);
+  for (int tap = 0; tap < taps; ++tap) {
+    float instant = (float(tap) + 0.5) / float(taps) - 0.5;
+    vec2 offset_px = instant * k.shutter * s.motion_px;
+    for (uint b = 0u; b < kSlots; ++b) {
+      Gathered pixel = gatherBuffer(b, s, motions_px[b], offset_px, kPixelTentRadius_px);
+      pixel_sum += pixel.sum;
+      pixel_weight += pixel.weight;
+    }
   }
   bool seen_before = pixel_weight > 1.0e-4;
 
   // Weight of the new sample (26): in the pixel, beta; in its buffer, alpha.
-  vec2 previous_px = previousPx(k, s);
+  vec2 previous_px = previousPx(s);
   vec2 previous_uv =
       clamp(previous_px, vec2(0.5), k.frame.extent_px - 0.5) * k.frame.history_texel_uv;
   float count = seen_before ? textureLod(count_image, previous_uv, 0.0).x : 0.0;
   float bound = 0.0;
   if (seen_before) bound = blurBound(s.motion_px);
+  float change_bound = 0.0;
   vec4 residuals = vec4(0.0);
   if (kResiduals != 0u && seen_before) {
     residuals = unpackedResiduals(textureLod(residual_image, previous_uv, 0.0));
     float smoothed = textureLod(smoothed_residual_image, previous_uv, 0.0).x;
-    bound = max(bound, residualBound(smoothed, k.residual_tolerance));
+    change_bound = residualBound(smoothed, k.residual_tolerance);
   }
-  float buffers = float(kBuffers);
-  float beta = max(1.0 / (count + 1.0), bound / buffers);
+  // The table holds the weight in the buffer, K times the paper's; (27) is that in the pixel.
+  bound = max(bound, min(k.buffer_count * change_bound, 1.0));
+  float beta = max(1.0 / (count + 1.0), max(bound / k.buffer_count, change_bound));
   // On a view at rest beta says 1/t; the buffer's own mean over its n writes is exact with 1/n.
   float alpha = clamp(max(1.0 / (writesAmong(count) + 1.0), bound), 0.0, 1.0);
   if (k.fixed_alpha > 0.0) {
     alpha = k.fixed_alpha;
-    beta = alpha / buffers;
+    beta = alpha / k.buffer_count;
   }
   if (!seen_before) {
     alpha = 1.0;
@@ -138,26 +148,30 @@ void main() {
     estimate = mix(reconstructed, current, alpha);
   }
 
-  // (20), with served requests in the place of buffers whose reprojection failed (section 5.3).
+  // (20), with served requests in the place of buffers whose reprojection failed (section 5.3). The
+  // new sample stands for one instant of those that the shutter sees; where nothing else is known,
+  // it is one among the served ones.
+  float share = alpha / (k.buffer_count * float(taps));
   if (k.extra_given > 0.5) {
     vec4 extra = texelFetch(extra_image, px, 0);
     if (extra.a > 0.0) {
       pixel_sum += sanitizedColor(extra.rgb);
       pixel_weight += extra.a;
+      if (!seen_before) share = 1.0 / (1.0 + extra.a);
     }
   }
   vec3 pixel = current;
-  if (pixel_weight > 1.0e-4) pixel = mix(pixel_sum / pixel_weight, current, alpha / buffers);
+  if (pixel_weight > 1.0e-4) pixel = mix(pixel_sum / pixel_weight, current, share);
 
   vec3 stored = roundedToHalf(estimate, px, k.frame.frame_number, true);
   // 0 says "never written": the nearest surface is a little in front of the eye.
-  float stored_depth = clamp(depthAt(k, px, extent_px - 1), 1.0e-6, kFarthestHalf);
+  float stored_depth = clamp(depthAt(px, extent_px - 1), 1.0e-6, kFarthestHalf);
   imageStore(next_buffer_image, px, vec4(stored, stored_depth));
   float next_count = seen_before ? min(varianceReduction(count, beta), k.max_samples) : 1.0;
   imageStore(next_count_image, px, vec4(next_count));
   if (kExactMotion == 0u) {
     imageStore(next_motion_image_0, px, chained[0]);
-    if (kBuffers > 2u) imageStore(next_motion_image_1, px, chained[1]);
+    if (kSlots > 2u) imageStore(next_motion_image_1, px, chained[1]);
   }
   if (kResiduals != 0u) {
     imageStore(next_residual_image, px, packedResiduals(vec4(residual, residuals.xyz)));

@@ -12,10 +12,21 @@ constexpr const char* kSampleNames[] = {"shading", "frame", nullptr};
 constexpr const char* kMotionNames[] = {"chained", "exact", nullptr};
 constexpr const char* kOrderNames[] = {"irregular", "round-robin", nullptr};
 
+// tau_b of 1, 2, 4 buffers: the sweeps of README.md, blur tolerance. With one buffer the samples
+// alone have 0.224 px^2.
+constexpr double kBlurOfBuffers_px2[] = {1.0, 0.3, 0.25};
+
+// A new sample and one for each of four quadrants.
+constexpr double kMostEvaluations = 5.0;
+
 constexpr auto kSettings = settingTable({
     choiceSetting(kBufferCount, "buffers", kBuffersFour, kBufferNames,
                   "subpixel estimates a pixel; more blur less in motion and cost memory and time",
                   "Yang et al. 2009, section 5.1: 4; other numbers are its future work"),
+    choiceSetting(kEffort, "effort", kBuffersFour, kBufferNames,
+                  "how many of the buffers are in use; less is faster and blurs more in motion; "
+                  "may change at any frame, and what was gathered is carried over",
+                  "Yang et al. 2009, section 8, future work; repriseHoldFrameTime sets it", 0),
     choiceSetting(kSamples, "samples", kSamplesShading, kSampleNames,
                   "what the plan moves: shading alone, a pixel at a time, or the whole frame by a "
                   "jittered projection, which antialiases silhouettes too",
@@ -31,9 +42,15 @@ constexpr auto kSettings = settingTable({
                   "repriseRecordRequest lists the quadrants whose reprojection fails, for the host "
                   "to shade; a host that does not call it loses nothing else",
                   "Yang et al. 2009, section 5.3"),
-    numberSetting(kBlur, "blur", 0.25, 0.0, kWidestBlur_px2, "px^2",
+    numberSetting(
+        kBudget, "budget", kMostEvaluations, 1.0, kMostEvaluations, "evaluations/px",
+        "mean evaluations a pixel that a frame may ask for, its own included; less leaves "
+        "out those that would gain least",
+        "Yang et al. 2009, section 5.3: 1 to 5, without a limit on the mean"),
+    numberSetting(kBlur, "blur", 0.0, 0.0, kWidestBlur_px2, "px^2",
                   "largest second moment that resampling may reach (tau_b); raising it averages "
-                  "more frames and blurs more; 0: every buffer starts anew in motion",
+                  "more frames and blurs more; below that of the samples every buffer starts anew "
+                  "in motion; 0: that of the buffers in use, 0.25, 0.3, 1 for 4, 2, 1",
                   "Yang et al. 2009, section 5.2; default: README.md, blur tolerance"),
     numberSetting(kResidual, "residual", 0.0, 0.0, 10.0, "luminance",
                   "residual above which history is let go (tau_eps); raising it trusts history "
@@ -45,6 +62,9 @@ constexpr auto kSettings = settingTable({
     numberSetting(kMaxSamples, "max_samples", 1024.0, 1.0, 2048.0, "samples",
                   "largest effective number of samples; raising it converges further at rest",
                   "what a half counts exactly; the paper's 8 bits end at 255"),
+    numberSetting(kShutter, "shutter", 0.0, 0.0, 1.0, "frames",
+                  "motion blur: how long the shutter is open about the frame's instant; 0: none",
+                  "Yang et al. 2009, section 8, future work"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.01, 0.001, 1.0, "relative",
                   "relative difference of depths, beyond the surface's slope, that is still the "
                   "same surface",
@@ -52,7 +72,26 @@ constexpr auto kSettings = settingTable({
 });
 static_assert(kSettings.size() == kSettingCount);
 
+// Evaluations are the dearer, so they go first; then buffers.
+constexpr RepriseSettingValue kRungValues[][2] = {
+    {{"effort", 0.0, "4"}, {"budget", 5.0, nullptr}},
+    {{"effort", 0.0, "4"}, {"budget", 2.0, nullptr}},
+    {{"effort", 0.0, "4"}, {"budget", 1.25, nullptr}},
+    {{"effort", 0.0, "4"}, {"budget", 1.0, nullptr}},
+    {{"effort", 0.0, "2"}, {"budget", 1.0, nullptr}},
+    {{"effort", 0.0, "1"}, {"budget", 1.0, nullptr}},
+};
+constexpr EffortRung kRungArray[] = {kRungValues[0], kRungValues[1], kRungValues[2],
+                                     kRungValues[3], kRungValues[4], kRungValues[5]};
+
 }  // namespace
+
+const std::span<const EffortRung> kRungs(kRungArray);
+
+double blurTolerance(const Settings& settings) {
+  if (const double blur = settings.number(kBlur); blur > 0.0) return blur;
+  return kBlurOfBuffers_px2[std::min(settings.choice(kBufferCount), settings.choice(kEffort))];
+}
 
 const RepriseTechniqueInfo kInfo = {
     .name = "amortized",

@@ -6,30 +6,39 @@
 
 #ifdef __cplusplus
 namespace reprise::amortized {
+using eq::uint;
 using eq::vec4;
-using uint = uint32_t;
 #endif
 
+// Levels of need (eq. evaluationsGain) times 2^8 places in the order of pixels: the bins that the
+// evaluations of a frame are counted in.
+EQ_CONST uint kRequestLevels = 4u;
+EQ_CONST uint kRequestPlaces = 256u;
+EQ_CONST uint kRequestBins = kRequestLevels * kRequestPlaces;
+
 // Of one subpixel buffer, as a frame finds it.
-struct BufferState {
-  vec4 place_age;           // xy: its place in the pixel (px), z: age in frames, w: 1 if written
+struct SlotState {
+  vec4 place_age;           // xy: its place in the pixel (px), z: age in frames, w: 1 if readable
   vec4 depth_coefficients;  // eq. expectedPreviousDepth, to the frame that wrote it
+  float exposure_ratio;     // its colour * ratio has this frame's exposure
+  uint quadrants;           // to be asked for where reprojection to it fails, as bits
+  float padding_0;
+  float padding_1;
 };
 
 struct AmortizedConstants {
   FrameConstants frame;
-  BufferState buffers[4];
-  vec4 exposure_ratios;   // of each buffer: colour * ratio has this frame's exposure
+  SlotState slots[4];
   vec4 writes[8];         // element n of 32: how often the buffer to be written was in n frames
-  vec4 target_px;         // xy: place of the buffer to be written
+  vec4 target_px;         // xy: place of the buffer to be written, z: radius of its tent
   float writes_a_period;  // of one buffer in 32 frames
   float max_samples;
   float depth_tolerance;     // relative
   float residual_tolerance;  // tau_eps; 0: off
   float fixed_alpha;         // 0: by (26)
   float extra_given;         // 1: the frame came with served requests
-  float sequence_break;      // 1: no buffer holds anything
-  float blur_scale;          // 1; 0 switches the blur bound off
+  float buffer_count;        // K
+  float shutter;             // share of a frame that it is open; 0: no motion blur
   // Slice of alpha_tau_b, bytes, [vy * 64 + vx]: four to a word, four words to a vector.
 #ifdef __cplusplus
   uint blur_slice[1024];
@@ -38,12 +47,21 @@ struct AmortizedConstants {
 #endif
 };
 
+struct RequestConstants {
+  FrameConstants frame;
+  uint budget;    // evaluations that may be asked for
+  uint capacity;  // entries of the list; the bins lie behind
+  uint padding_0;
+  uint padding_1;
+};
+
 struct ResidualConstants {
   FrameConstants frame;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(AmortizedConstants) == 112 + 4 * 32 + 16 + 128 + 16 + 32 + 4096);
+static_assert(sizeof(AmortizedConstants) == 112 + 4 * 48 + 128 + 16 + 32 + 4096);
+static_assert(sizeof(RequestConstants) == 128);
 }  // namespace reprise::amortized
 #endif
 

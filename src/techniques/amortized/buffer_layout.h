@@ -2,6 +2,9 @@
 //
 // Where the subpixel buffers lie in the pixel and in which order they are written. The paper has
 // four; one is a plain history with a tent of a pixel, two lie on the diagonal.
+//
+// A slot is the image that holds a buffer. With as many buffers as slots they are the same; fewer
+// buffers in four slots keep the slots of their quadrants, so that what lies there goes on.
 #pragma once
 
 #include <array>
@@ -48,6 +51,10 @@ inline uint32_t bufferOfFrame(uint32_t count, uint64_t frame_index) {
   if (count == 4) return eq::quadrantOfFrame(phase);
   if (count == 2) return static_cast<uint32_t>(std::popcount(phase)) & 1u;
   return 0;
+}
+
+constexpr uint32_t slotOfBuffer(uint32_t slots, uint32_t count, uint32_t buffer) {
+  return count == 2 && slots == 4 ? bufferLayout(2).quadrants[buffer] : buffer;
 }
 
 }  // namespace reprise::amortized

@@ -9,7 +9,8 @@
 #include "equations/amortized.h"
 #include "techniques/amortized/amortized_shared.h"
 
-layout(constant_id = 0) const uint kBuffers = 4u;
+// Images that hold buffers; how many of them are in use is known when a frame is recorded.
+layout(constant_id = 0) const uint kSlots = 4u;
 // 0: motion of frame pairs, chained; 1: the host's motion to each buffer's frame.
 layout(constant_id = 1) const uint kExactMotion = 0u;
 // 1: the projection is jittered, so that surfaces change from frame to frame at silhouettes.
@@ -29,6 +30,12 @@ layout(binding = 7) uniform sampler2D buffer_1;
 layout(binding = 8) uniform sampler2D buffer_2;
 layout(binding = 9) uniform sampler2D buffer_3;
 
+// A global, not an argument: an argument would be copied, 4 KiB an invocation, wherever a loop over
+// slots is not unrolled. The includer says at which binding.
+layout(binding = kConstantsBinding, std140) uniform Constants {
+  AmortizedConstants k;
+};
+
 // Depth lies in the alpha of RGBA16F; what is farther than a half can say is equally far.
 const float kFarthestHalf = 65504.0;
 // Changes of motion from pixel to pixel beyond this are silhouettes, not the surface's own.
@@ -38,76 +45,74 @@ struct Surface {
   ivec2 px;
   vec2 center_px;
   float view_depth;
-  float depth_step;  // change of depth over a pixel of the surface
+  vec2 depth_slope;  // change of depth over a pixel of the surface
   vec2 motion_px;    // to the previous frame
   vec2 motion_dx;    // d motion_px / d px.x on the surface
   vec2 motion_dy;
 };
 
-float depthAt(AmortizedConstants k, ivec2 px, ivec2 last_px) {
+float depthAt(ivec2 px, ivec2 last_px) {
   return viewDepth(k.frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);
 }
-vec2 motionAt(AmortizedConstants k, ivec2 px, ivec2 last_px) {
+vec2 motionAt(ivec2 px, ivec2 last_px) {
   return motionPx(k.frame, texelFetch(motion_image, clamp(px, ivec2(0), last_px), 0).xy);
 }
 
 // Differences to the neighbour of nearer depth: across a silhouette they would not be the
 // surface's own.
-Surface surfaceAt(AmortizedConstants k, ivec2 px) {
+Surface surfaceAt(ivec2 px) {
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
   Surface s;
   s.px = px;
   s.center_px = vec2(px) + 0.5;
   ivec2 at_px = px;
-  s.view_depth = depthAt(k, px, last_px);
+  s.view_depth = depthAt(px, last_px);
   if (kSilhouettes != 0u) {
     // The closest of 3x3: motion reaches half a pixel beyond the edge that is jittered across it.
     for (int i = 0; i < 9; ++i) {
       ivec2 neighbour_px = px + ivec2(i % 3 - 1, i / 3 - 1);
-      float depth = depthAt(k, neighbour_px, last_px);
+      float depth = depthAt(neighbour_px, last_px);
       if (depth < s.view_depth) {
         s.view_depth = depth;
         at_px = clamp(neighbour_px, ivec2(0), last_px);
       }
     }
   }
-  s.motion_px = motionAt(k, at_px, last_px);
+  s.motion_px = motionAt(at_px, last_px);
   vec2 steps[2];
-  float slopes[2];
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step_px = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    float ahead = depthAt(k, at_px + step_px, last_px) - s.view_depth;
-    float behind = s.view_depth - depthAt(k, at_px - step_px, last_px);
+    float ahead = depthAt(at_px + step_px, last_px) - s.view_depth;
+    float behind = s.view_depth - depthAt(at_px - step_px, last_px);
     // At the frame's border the clamped neighbour is the pixel itself: no difference to go by.
     bool first = any(lessThan(at_px - step_px, ivec2(0)));
     bool last = any(greaterThan(at_px + step_px, last_px));
     bool forward = !last && (first || abs(ahead) <= abs(behind));
-    slopes[axis] = forward ? abs(ahead) : abs(behind);
-    steps[axis] = forward ? motionAt(k, at_px + step_px, last_px) - s.motion_px
-                          : s.motion_px - motionAt(k, at_px - step_px, last_px);
+    s.depth_slope[axis] = forward ? ahead : behind;
+    steps[axis] = forward ? motionAt(at_px + step_px, last_px) - s.motion_px
+                          : s.motion_px - motionAt(at_px - step_px, last_px);
     steps[axis] = clamp(steps[axis], vec2(-kSteepestMotion), vec2(kSteepestMotion));
   }
   s.motion_dx = steps[0];
   s.motion_dy = steps[1];
-  s.depth_step = slopes[0] + slopes[1];
   return s;
 }
 
-vec2 previousPx(AmortizedConstants k, Surface s) {
+vec2 previousPx(Surface s) {
   return s.center_px + s.motion_px;
 }
 
 // Motion of the surface to the frames of the buffers 2 i and 2 i + 1.
-vec4 chainedMotion(AmortizedConstants k, Surface s, sampler2D past, uint first) {
-  vec2 previous_px = clamp(previousPx(k, s), vec2(0.5), k.frame.extent_px - 0.5);
+vec4 chainedMotion(Surface s, sampler2D past, uint first) {
+  vec2 previous_px = clamp(previousPx(s), vec2(0.5), k.frame.extent_px - 0.5);
   vec4 before = textureLod(past, previous_px * k.frame.history_texel_uv, 0.0);
   // A buffer that the previous frame wrote is one step away, whatever the field says.
-  if (k.buffers[first].place_age.z < 1.5) before.xy = vec2(0.0);
-  if (k.buffers[first + 1u].place_age.z < 1.5) before.zw = vec2(0.0);
+  if (k.slots[first].place_age.z < 1.5) before.xy = vec2(0.0);
+  if (k.slots[first + 1u].place_age.z < 1.5) before.zw = vec2(0.0);
   return s.motion_px.xyxy + before;
 }
 
-vec2 exactMotion(AmortizedConstants k, Surface s, uint buffer_index) {
+vec2 exactMotion(Surface s, uint buffer_index) {
   vec2 texel = vec2(0.0);
   if (buffer_index == 0u) texel = texelFetch(past_motion_0, s.px, 0).xy;
   if (buffer_index == 1u) texel = texelFetch(past_motion_1, s.px, 0).xy;
@@ -119,19 +124,18 @@ vec2 exactMotion(AmortizedConstants k, Surface s, uint buffer_index) {
 }
 
 // pi_{t-a}(center) of each buffer, minus the centre.
-void motionsToBuffers(AmortizedConstants k, Surface s, out vec2 motions_px[4],
-                      out vec4 chained[2]) {
+void motionsToBuffers(Surface s, out vec2 motions_px[4], out vec4 chained[2]) {
   chained[0] = vec4(0.0);
   chained[1] = vec4(0.0);
   if (kExactMotion != 0u) {
-    for (uint b = 0u; b < kBuffers; ++b) motions_px[b] = exactMotion(k, s, b);
+    for (uint b = 0u; b < kSlots; ++b) motions_px[b] = exactMotion(s, b);
     return;
   }
-  chained[0] = chainedMotion(k, s, past_motion_0, 0u);
+  chained[0] = chainedMotion(s, past_motion_0, 0u);
   motions_px[0] = chained[0].xy;
   motions_px[1] = chained[0].zw;
-  if (kBuffers > 2u) {
-    chained[1] = chainedMotion(k, s, past_motion_1, 2u);
+  if (kSlots > 2u) {
+    chained[1] = chainedMotion(s, past_motion_1, 2u);
     motions_px[2] = chained[1].xy;
     motions_px[3] = chained[1].zw;
   }
@@ -144,10 +148,10 @@ struct Gathered {
   float weight_unseen;  // of texels that the depth test took out
 };
 
-Gathered gatherFrom(sampler2D image, AmortizedConstants k, Surface s, uint b, vec2 motion_px,
-                    vec2 offset_px, float radius_px) {
+Gathered gatherFrom(sampler2D image, Surface s, uint b, vec2 motion_px, vec2 offset_px,
+                    float radius_px) {
   Gathered none = Gathered(vec3(0.0), 0.0, 1.0);
-  BufferState state = k.buffers[b];
+  SlotState state = k.slots[b];
   if (state.place_age.w < 0.5) return none;
   float age = state.place_age.z;
   // J is that of one frame, carried on over the buffer's age.
@@ -162,11 +166,13 @@ Gathered gatherFrom(sampler2D image, AmortizedConstants k, Surface s, uint b, ve
   vec4 w = tentWeights(fraction.x, fraction.y, radius_px * tentGrowth(column_x, column_y));
 
   vec4 depths = textureGather(image, (base + 1.0) * k.frame.history_texel_uv, 3).wzxy;
-  float expected = min(expectedPreviousDepth(state.depth_coefficients,
-                                             s.center_px - k.frame.jitter_px, s.view_depth),
-                       kFarthestHalf);
+  float view_depth = s.view_depth + dot(s.depth_slope, offset_px);
+  float expected = expectedPreviousDepth(state.depth_coefficients,
+                                         s.center_px - k.frame.jitter_px + offset_px, view_depth);
+  expected = min(expected, kFarthestHalf);
   // A slanted surface differs from texel to texel by its slope; a half adds its rounding.
-  vec4 slack = vec4(k.depth_tolerance * expected + 1.5 * s.depth_step);
+  vec4 slack =
+      vec4(k.depth_tolerance * expected + 1.5 * (abs(s.depth_slope.x) + abs(s.depth_slope.y)));
   vec4 behind = vec4(expected) - depths;
   // Silhouettes: only what was hidden is unseen. A nearer surface may be the other side of the
   // edge that the jitter moves across the pixel.
@@ -199,16 +205,15 @@ Gathered gatherFrom(sampler2D image, AmortizedConstants k, Surface s, uint b, ve
            texelFetch(image, clamp(texel + ivec2(1, 1), ivec2(0), limit), 0).rgb * kept.w;
     mean /= gathered.weight;
   }
-  gathered.sum = mean * k.exposure_ratios[b] * gathered.weight;
+  gathered.sum = mean * state.exposure_ratio * gathered.weight;
   return gathered;
 }
 
-Gathered gatherBuffer(uint b, AmortizedConstants k, Surface s, vec2 motion_px, vec2 offset_px,
-                      float radius_px) {
-  if (b == 0u) return gatherFrom(buffer_0, k, s, b, motion_px, offset_px, radius_px);
-  if (b == 1u) return gatherFrom(buffer_1, k, s, b, motion_px, offset_px, radius_px);
-  if (b == 2u) return gatherFrom(buffer_2, k, s, b, motion_px, offset_px, radius_px);
-  return gatherFrom(buffer_3, k, s, b, motion_px, offset_px, radius_px);
+Gathered gatherBuffer(uint b, Surface s, vec2 motion_px, vec2 offset_px, float radius_px) {
+  if (b == 0u) return gatherFrom(buffer_0, s, b, motion_px, offset_px, radius_px);
+  if (b == 1u) return gatherFrom(buffer_1, s, b, motion_px, offset_px, radius_px);
+  if (b == 2u) return gatherFrom(buffer_2, s, b, motion_px, offset_px, radius_px);
+  return gatherFrom(buffer_3, s, b, motion_px, offset_px, radius_px);
 }
 
 // A buffer failed for the pixel when more of its tent is unseen than seen.

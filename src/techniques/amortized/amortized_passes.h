@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: MIT
+//
+// The technique's passes: shaders, bindings, specialization. Each folder's shader names its
+// bindings in the order in which they are declared here.
+#pragma once
+
+#include "core/technique.h"
+
+namespace reprise::amortized {
+
+// What is compiled into the shaders.
+struct Variant {
+  uint32_t slots = 4;
+  bool exact_motion = false;
+  bool silhouettes = false;  // the projection is jittered
+  bool residuals = false;
+};
+
+struct RequestPasses {
+  PassHandle find = 0;       // which quadrants of which pixels failed, and how many of each rank
+  PassHandle threshold = 0;  // the rank at which the budget ends
+  PassHandle list = 0;       // the pixels that are within it
+};
+
+struct ResidualPasses {
+  PassHandle rows = 0;
+  PassHandle columns = 0;
+};
+
+RequestPasses declareRequestPasses(Declaration& declaration, const Variant& variant);
+PassHandle declareResolvePass(Declaration& declaration, const Variant& variant);
+ResidualPasses declareResidualPasses(Declaration& declaration);
+
+}  // namespace reprise::amortized

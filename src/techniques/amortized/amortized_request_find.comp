@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: MIT
+//
+// Finds, before shading, the pixels whose reprojection to some buffer fails (Yang et al. 2009,
+// section 5.3), and counts the evaluations that they want by how much each would help: a budget is
+// then spent on the worst first.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/workgroup.h"
+const uint kConstantsBinding = 12u;
+#include "techniques/amortized/reproject.glsl"
+#include "techniques/amortized/request_rank.glsl"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+// The layout is that of RepriseSampleRequests in reprise.h; behind its entries lie the bins, and
+// then the number of them that the budget reaches.
+layout(binding = 10, std430) buffer Requests {
+  uint header[4];
+  uint entries[];
+};
+layout(binding = 11) writeonly uniform image2D failed_image;  // mask / 16
+
+void main() {
+  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(px, ivec2(k.frame.extent_px)))) return;
+  Surface s = surfaceAt(px);
+  vec2 motions_px[4];
+  vec4 chained[2];
+  motionsToBuffers(s, motions_px, chained);
+  uint mask = 0u;
+  for (uint b = 0u; b < kSlots; ++b) {
+    Gathered pixel = gatherBuffer(b, s, motions_px[b], vec2(0.0), 1.0);
+    if (reprojectionFailed(pixel)) mask |= k.slots[b].quadrants;
+  }
+  imageStore(failed_image, px, vec4(float(mask) / 16.0));
+  if (mask == 0u) return;
+  uint bins = uint(entries.length()) - kRequestBins - 1u;
+  uint place = requestPlace(px, k.frame.frame_number);
+  for (uint level = firstRequestLevel(mask); level < kRequestLevels; ++level) {
+    atomicAdd(entries[bins + level * kRequestPlaces + place], 1u);
+  }
+}

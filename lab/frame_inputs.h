@@ -11,6 +11,7 @@
 #include <string>
 
 #include "lab/float_image.h"
+#include "lab/frame_geometry.h"
 #include "lab/sample_plan.h"
 #include "reprise/reprise.h"
 
@@ -69,9 +70,9 @@ class FrameSource {
   // The many-sample reference of the frame in linear RGB; nullopt where there is none.
   virtual std::optional<FloatImage> reference(uint32_t index) = 0;
 
-  // The input's motion at frame `index`, 2 channels in px, for judging still and moving frames.
-  // Valid after the work recorded by frame(index) has been submitted and has finished.
-  virtual FloatImage motion(uint32_t index) = 0;
+  // What stands where in frame `index`, for the metrics; submits work of its own, so never between
+  // frame() and the end of what it recorded.
+  virtual FrameGeometry geometry(uint32_t index) = 0;
 
   // Times the passes of the frames to come, where the source renders; null stops it.
   virtual void setTimestamps(Timestamps*) {}

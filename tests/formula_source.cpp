@@ -30,7 +30,7 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
   const VkExtent2D extent = info_.extent;
   FloatImage color(extent.width, extent.height, 4);
   FloatImage depth(extent.width, extent.height, 1);
-  motion_texels_ = FloatImage(extent.width, extent.height, 2);
+  FloatImage motion(extent.width, extent.height, 2);
   const float* jitter_px = plan.library.jitter_px;
   const auto frame = static_cast<float>(index);
   for (uint32_t y = 0; y < extent.height; ++y) {
@@ -49,14 +49,14 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
       texel[3] = 1.0f;
       *depth.at(x, y) = formula_.view_depth;
       // prev_px = px + motion.
-      motion_texels_.at(x, y)[0] = -formula_.velocity_px[0];
-      motion_texels_.at(x, y)[1] = -formula_.velocity_px[1];
+      motion.at(x, y)[0] = -formula_.velocity_px[0];
+      motion.at(x, y)[1] = -formula_.velocity_px[1];
     }
   }
-  if (formula_.damage) formula_.damage(index, color, depth, motion_texels_);
+  if (formula_.damage) formula_.damage(index, color, depth, motion);
   upload(device_, color_, color);
   upload(device_, depth_, depth);
-  upload(device_, motion_, motion_texels_);
+  upload(device_, motion_, motion);
 
   FrameInputs inputs;
   inputs.index = index;
@@ -72,6 +72,21 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
 
 FrameInputs FormulaSource::frame(VkCommandBuffer, uint32_t index, const SamplePlan& plan) {
   return fill(index, plan);
+}
+
+FrameGeometry FormulaSource::geometry(uint32_t index) {
+  const VkExtent2D extent = info_.extent;
+  FrameGeometry geometry{.motion_px = FloatImage(extent.width, extent.height, 2),
+                         .view_depth = FloatImage(extent.width, extent.height, 1),
+                         .previous_view_depth = FloatImage(extent.width, extent.height, 1),
+                         .reset = index == 0};
+  for (size_t i = 0; i < geometry.view_depth.texelCount(); ++i) {
+    geometry.motion_px.texels[2 * i] = -formula_.velocity_px[0];
+    geometry.motion_px.texels[2 * i + 1] = -formula_.velocity_px[1];
+    geometry.view_depth.texels[i] = formula_.view_depth;
+    geometry.previous_view_depth.texels[i] = formula_.view_depth;
+  }
+  return geometry;
 }
 
 std::optional<FloatImage> FormulaSource::reference(uint32_t index) {

@@ -38,7 +38,7 @@ class FormulaSource final : public FrameSource {
   const SourceInfo& info() const override { return info_; }
   FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) override;
   std::optional<FloatImage> reference(uint32_t index) override;  // 32 x 32 samples, box
-  FloatImage motion(uint32_t) override { return motion_texels_; }
+  FrameGeometry geometry(uint32_t index) override;
 
   // Makes the frame's images at once, outside a command buffer.
   FrameInputs fill(uint32_t index, const SamplePlan& plan);
@@ -48,7 +48,6 @@ class FormulaSource final : public FrameSource {
   SourceInfo info_;
   Formula formula_;
   Image color_, depth_, motion_;
-  FloatImage motion_texels_;
   FrameInputs inputs_;
 };
 

@@ -6,13 +6,12 @@
 #include <memory>
 
 #include "compare_output.h"
-#include "lab/capture/capture_error.h"
 #include "lab/capture/output_file.h"
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/workers.h"
 #include "lab/report/results_table.h"
-#include "lab/run/interrupt.h"
 #include "lab/run/progress.h"
+#include "lab/run/read_truth.h"
 #include "lab/run/sequence_run.h"
 #include "open_source.h"
 #include "verbs.h"
@@ -29,6 +28,7 @@ struct CompareFlags {
   std::filesystem::path baseline;
   double max_drop_db = 0.1;
   uint32_t report_mib = 48;
+  std::string metrics = "default";
 };
 
 nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value) {
@@ -44,20 +44,9 @@ nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value)
   }
 }
 
-std::vector<lab::FloatImage> readReferences(lab::FrameSource& source, uint32_t frames, bool quiet) {
-  std::vector<lab::FloatImage> references;
+lab::SequenceTruth readTruth(lab::FrameSource& source, uint32_t frames, bool quiet) {
   lab::Progress progress("reference of " + source.info().name, frames, quiet);
-  for (uint32_t index = 0; index < frames; ++index) {
-    lab::throwIfInterrupted();
-    std::optional<lab::FloatImage> reference = source.reference(index);
-    if (!reference.has_value()) {
-      throw lab::CaptureError(source.info().name, fmt::format("frame {}", index + 1),
-                              "has no reference to compare with (reference_NNNN.exr)");
-    }
-    references.push_back(std::move(*reference));
-    progress.step();
-  }
-  return references;
+  return lab::readTruth(source, frames, [&] { progress.step(); });
 }
 
 lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) {
@@ -73,16 +62,15 @@ lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) 
 }
 
 lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
-                          const lab::TechniqueChoice& choice,
-                          const std::vector<lab::FloatImage>& references, CompareOutput& output,
-                          bool quiet) {
+                          const lab::TechniqueChoice& choice, const lab::SequenceTruth& truth,
+                          const lab::MetricSet& metrics, CompareOutput& output, bool quiet) {
   lab::Resolver resolver(device, choice, source.info());
   const std::string& name = source.info().name;
   lab::SequenceRun run;
   {
-    lab::Progress progress(name + " by " + choice.label, references.size(), quiet);
-    run = lab::runSequence(device, source, resolver, static_cast<uint32_t>(references.size()), true,
-                           [&](const lab::FrameDone&) { progress.step(); });
+    lab::Progress progress(name + " by " + choice.label, truth.frames.size(), quiet);
+    run = lab::runSequence(device, source, resolver, static_cast<uint32_t>(truth.frames.size()),
+                           true, [&](const lab::FrameDone&) { progress.step(); });
   }
   lab::RunResult result;
   result.source = name;
@@ -93,20 +81,21 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
   }
   result.reference_samples = source.info().reference_samples;
   result.reference_filter = source.info().reference_filter;
-  lab::Progress progress("measuring " + choice.label, references.size(), true);
-  result.figures = lab::measureSequence(references, run.images, run.median_motion_px,
-                                        [&](size_t frame, const lab::FloatImage& error) {
-                                          const auto index = static_cast<uint32_t>(frame);
-                                          output.addError(name, choice.label, index, error);
-                                          output.addImage(name, choice.label, index,
-                                                          lab::displayImage(run.images[frame]));
-                                        });
+  lab::onWorkers(run.images.size(), [&](size_t i) {
+    output.addImage(name, choice.label, static_cast<uint32_t>(i), lab::displayImage(run.images[i]));
+  });
+  lab::MeterOptions options{.metrics = metrics};
+  options.on_error_map = [&](size_t frame, const lab::FloatImage& error) {
+    output.addError(name, choice.label, static_cast<uint32_t>(frame), error);
+  };
+  result.figures = lab::measureSequence(truth, run.images, options);
   result.cost = costOf(run, resolver);
   return result;
 }
 
 int compare(const Globals& globals, const CompareFlags& flags) {
   const std::vector<lab::TechniqueChoice> choices = lab::parseTechniques(flags.techniques);
+  const lab::MetricSet metrics = lab::MetricSet::parse(flags.metrics);
   // Read first: a comparison of an hour must not end in a missing file.
   const std::string baseline = flags.baseline.empty() ? "" : lab::readWholeFile(flags.baseline);
   const auto layout = static_cast<lab::CaptureLayout>(
@@ -131,14 +120,14 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     const uint32_t frames = std::min(flags.scene_flags.frames, info.frame_count);
     // Fails for techniques that cannot work on this source before anything long begins.
     for (const lab::TechniqueChoice& choice : choices) lab::Resolver(*device, choice, info);
-    const std::vector<lab::FloatImage> references = readReferences(*source, frames, globals.quiet);
-    lab::onWorkers(references.size(), [&](size_t i) {
+    const lab::SequenceTruth truth = readTruth(*source, frames, globals.quiet);
+    lab::onWorkers(truth.frames.size(), [&](size_t i) {
       output.addImage(info.name, "reference", static_cast<uint32_t>(i),
-                      lab::displayImage(references[i]));
+                      lab::displayImage(truth.frames[i].reference));
     });
     for (const lab::TechniqueChoice& choice : choices) {
       results.runs.push_back(
-          compareOne(*device, *source, choice, references, output, globals.quiet));
+          compareOne(*device, *source, choice, truth, metrics, output, globals.quiet));
     }
     reportCapture(*source, true);
     code = std::max<int>(code, validationResult(*device));
@@ -173,6 +162,10 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
       ->required();
   verb->add_option("-o,--output", flags->directory, "directory of the results")->required();
   flags->scene_flags.addTo(*verb, true);
+  verb->add_option("--metrics", flags->metrics,
+                   "figures to measure, separated by commas: default, all, or names of "
+                   "docs/metrics.md; cvvdp is not in default")
+      ->capture_default_str();
   verb->add_option("--layout", flags->layout, "channel names of captures without capture.json")
       ->check(CLI::IsMember(lab::kCaptureLayouts))
       ->capture_default_str();

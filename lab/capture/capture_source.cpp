@@ -3,8 +3,10 @@
 
 #include <fmt/format.h>
 
+#include <cmath>
 #include <cstring>
 
+#include "equations/reprojection.h"
 #include "lab/capture/capture_error.h"
 #include "lab/capture/output_file.h"
 
@@ -139,10 +141,47 @@ std::optional<FloatImage> CaptureSource::reference(uint32_t index) {
   return readCaptureReference(directory_, description_, index);
 }
 
-FloatImage CaptureSource::motion(uint32_t) {
-  FloatImage motion(info_.extent.width, info_.extent.height, 2);
-  motion.texels = frame_.motion;
-  return motion;
+FrameGeometry CaptureSource::geometry(uint32_t index) {
+  const uint32_t width = info_.extent.width;
+  const uint32_t height = info_.extent.height;
+  const CaptureFrameInfo& now = description_.frames[index];
+  const CaptureFrameInfo* before = index > 0 ? &description_.frames[index - 1] : nullptr;
+  CaptureFrame frame = take(index);
+  FrameGeometry geometry{.motion_px = FloatImage(width, height, 2),
+                         .view_depth = FloatImage(width, height, 1),
+                         .previous_view_depth = FloatImage(width, height, 1),
+                         .reset = now.reset || before == nullptr};
+  geometry.motion_px.texels = std::move(frame.motion);
+  if (description_.motion.includes_jitter && before != nullptr) {
+    for (size_t i = 0; i < geometry.motion_px.texels.size(); ++i) {
+      geometry.motion_px.texels[i] -= before->jitter_px[i % 2] - now.jitter_px[i % 2];
+    }
+  }
+  const FrameInputs defaults;
+  const eq::vec4 view_depth = eq::viewDepthCoefficients(
+      info_.depth_kind, now.camera ? now.camera->near_plane : defaults.near_plane,
+      now.camera ? now.camera->far_plane : defaults.far_plane);
+  // Without cameras static points are expected at the depth that they have now, as the library
+  // does.
+  eq::vec4 previous_depth(0.0f, 0.0f, 1.0f, 0.0f);
+  const auto camera = now.camera ? libraryCamera(*now.camera) : std::nullopt;
+  const auto camera_before =
+      before != nullptr && before->camera ? libraryCamera(*before->camera) : std::nullopt;
+  if (camera && camera_before) {
+    previous_depth =
+        eq::previousDepthCoefficients(camera->view, camera->projection, camera_before->view,
+                                      static_cast<float>(width), static_cast<float>(height));
+  }
+  for (size_t i = 0; i < frame.depth.size(); ++i) {
+    const float depth = eq::viewDepthFromDepth(view_depth, frame.depth[i]);
+    const bool covered = std::isfinite(depth) && depth < kBackgroundDepth;
+    geometry.view_depth.texels[i] = covered ? depth : kBackgroundDepth;
+    const eq::vec2 px(static_cast<float>(i % width) + 0.5f - now.jitter_px[0],
+                      static_cast<float>(i / width) + 0.5f - now.jitter_px[1]);
+    geometry.previous_view_depth.texels[i] =
+        covered ? eq::expectedPreviousDepth(previous_depth, px, depth) : kBackgroundDepth;
+  }
+  return geometry;
 }
 
 }  // namespace reprise::lab

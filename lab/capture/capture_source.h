@@ -27,7 +27,7 @@ class CaptureSource final : public FrameSource {
   const SourceInfo& info() const override { return info_; }
   FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) override;
   std::optional<FloatImage> reference(uint32_t index) override;
-  FloatImage motion(uint32_t index) override;
+  FrameGeometry geometry(uint32_t index) override;
 
   const CaptureDescription& description() const { return description_; }
   // The frame that frame() gave last.

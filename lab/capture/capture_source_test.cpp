@@ -90,7 +90,7 @@ TEST(CaptureSource, GivesBackTheWritersImagesBitForBit) {
     EXPECT_EQ(inputs.near_plane, 0.05f);
     EXPECT_EQ(inputs.reset, index == 0);
     EXPECT_TRUE(inputs.camera.has_value());
-    EXPECT_FLOAT_EQ(source.motion(index).texels[0], 0.25f);
+    EXPECT_FLOAT_EQ(source.geometry(index).motion_px.texels[0], 0.25f);
   }
   EXPECT_TRUE(source.reference(1).has_value());
 }

@@ -198,6 +198,18 @@ void Renderer::recordMotionBack(VkCommandBuffer commands, eq::vec2 jitter_px,
   recordMotionInto(commands, motionBack(frames_back), jitter_px, frames_back);
 }
 
+void Renderer::prepareGeometry() {
+  if (geometry_.view() != VK_NULL_HANDLE) return;
+  geometry_ = Image(device_, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = extent_});
+}
+
+void Renderer::recordGeometry(VkCommandBuffer commands) const {
+  const eq::vec2 no_jitter_px(0.0f);
+  recordTransform(commands, 1);
+  recordVisibility(commands, no_jitter_px);
+  recordMotionInto(commands, geometry_, no_jitter_px, 1);
+}
+
 void Renderer::prepareServe() {
   if (extra_.view() != VK_NULL_HANDLE) return;
   extra_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});

@@ -46,6 +46,10 @@ class Renderer {
   // prepareMotionBack must have been called.
   void prepareMotionBack();
   void recordMotionBack(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
+  // Motion of the frame before and both view depths, without jitter, into geometry(); replaces what
+  // the passes of a frame wrote. prepareGeometry must have been called.
+  void prepareGeometry();
+  void recordGeometry(VkCommandBuffer commands) const;
   void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
   // Evaluates what a technique's request buffer asks for, into extra().
   // prepareServe must have been called.
@@ -64,6 +68,8 @@ class Renderer {
   const Image& extra() const { return extra_; }    // RGBA16F; a: evaluations
   // RG32F, [1, kMaxFramesBack]; valid after recordMotionBack.
   const Image& motionBack(uint32_t frames_back) const { return motion_back_[frames_back - 1]; }
+  // RGBA32F: motion (px), view depth, view depth of the same point a frame ago.
+  const Image& geometry() const { return geometry_; }
   const RepriseCamera& camera() const { return camera_; }
   float nearPlane() const { return near_plane_; }
 
@@ -101,7 +107,8 @@ class Renderer {
   Image motion_;
   Image color_;
   Image sum_;
-  Image extra_;  // made by prepareServe and prepareMotionBack
+  Image extra_;  // made by prepareServe, prepareMotionBack and prepareGeometry
+  Image geometry_;
   std::array<Image, kMaxFramesBack> motion_back_;
   GraphicsProgram visibility_program_;
   ComputeProgram transform_program_;

@@ -105,8 +105,25 @@ std::optional<FloatImage> SceneSource::reference(uint32_t index) {
   return references_.reference(index);
 }
 
-FloatImage SceneSource::motion(uint32_t) {
-  return download(device_, renderer_.motion());
+FrameGeometry SceneSource::geometry(uint32_t index) {
+  renderer_.prepareGeometry();
+  renderer_.setFrame(index, 0.0f);
+  device_.submitAndWait([&](VkCommandBuffer commands) { renderer_.recordGeometry(commands); });
+  const FloatImage texels = download(device_, renderer_.geometry());
+  const uint32_t width = texels.width;
+  const uint32_t height = texels.height;
+  FrameGeometry geometry{.motion_px = FloatImage(width, height, 2),
+                         .view_depth = FloatImage(width, height, 1),
+                         .previous_view_depth = FloatImage(width, height, 1),
+                         .reset = index == 0};
+  for (size_t i = 0; i < texels.texelCount(); ++i) {
+    const float* texel = &texels.texels[4 * i];
+    geometry.motion_px.texels[2 * i] = texel[0];
+    geometry.motion_px.texels[2 * i + 1] = texel[1];
+    geometry.view_depth.texels[i] = texel[2];
+    geometry.previous_view_depth.texels[i] = texel[3];
+  }
+  return geometry;
 }
 
 }  // namespace reprise::lab

@@ -26,7 +26,7 @@ class SceneSource final : public FrameSource {
   void prepare(const SamplePlan& plan) override;
   FrameInputs frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) override;
   std::optional<FloatImage> reference(uint32_t index) override;
-  FloatImage motion(uint32_t index) override;
+  FrameGeometry geometry(uint32_t index) override;
 
   void setTimestamps(Timestamps* timestamps) override { timestamps_ = timestamps; }
   uint64_t takeEvaluations() override { return renderer_.takeEvaluations(); }

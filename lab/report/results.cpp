@@ -20,19 +20,40 @@ OrderedJson number(double value) {
 
 OrderedJson meanJson(const std::optional<MeanFigures>& mean) {
   if (!mean.has_value()) return OrderedJson();
-  return {{"frames", mean->frames},
-          {"psnr", number(mean->psnr)},
-          {"psnr_of_mean", number(mean->psnr_of_mean)},
-          {"ssim", number(mean->ssim)},
-          {"flip", number(mean->flip)},
-          {"flip30", number(mean->flip30)},
-          {"tpsnr", number(mean->tpsnr)},
-          {"sharpness", number(mean->sharpness)}};
+  OrderedJson json = {{"frames", mean->frames}};
+  for (const FigureInfo& figure : kFigures) json[figure.key] = number((*mean).*figure.mean);
+  json["psnr_of_mean"] = number(mean->psnr_of_mean);
+  return json;
 }
 
-OrderedJson passesJson(const std::vector<std::pair<std::string, double>>& passes) {
+OrderedJson agesJson(const std::vector<AgeFigures>& ages) {
+  OrderedJson json = OrderedJson::array();
+  for (const AgeFigures& age : ages) {
+    json.push_back({{"age", age.age}, {"pixels", age.pixels}, {"psnr", number(age.psnr)}});
+  }
+  return json;
+}
+
+OrderedJson convergenceJson(const std::optional<Convergence>& convergence) {
+  if (!convergence.has_value()) return OrderedJson();
+  return {{"asymptote_psnr", number(convergence->asymptote_db)}, {"frames", convergence->frames}};
+}
+
+OrderedJson residueJson(const std::optional<JitterResidue>& residue) {
+  if (!residue.has_value()) return OrderedJson();
+  return {{"frames", residue->frames},
+          {"pixels", residue->pixels},
+          {"sigma_mean", number(residue->sigma_mean)},
+          {"sigma_p99", number(residue->sigma_p99)},
+          {"peak_mean", number(residue->peak_mean)},
+          {"peak_p99", number(residue->peak_p99)},
+          {"eye_band_rms", number(residue->eye_band_rms)},
+          {"strongest_hz", number(residue->strongest_hz)}};
+}
+
+OrderedJson namedJson(const std::vector<std::pair<std::string, double>>& values) {
   OrderedJson json = OrderedJson::object();
-  for (const auto& [name, ms] : passes) json[name] = number(ms);
+  for (const auto& [name, value] : values) json[name] = number(value);
   return json;
 }
 
@@ -46,22 +67,21 @@ OrderedJson runJson(const RunResult& run) {
   json["mean"] = meanJson(run.figures.mean);
   json["still"] = meanJson(run.figures.still);
   json["moving"] = meanJson(run.figures.moving);
+  json["ages"] = agesJson(run.figures.ages);
+  json["convergence"] = convergenceJson(run.figures.convergence);
+  json["residue"] = residueJson(run.figures.residue);
   json["frames"] = OrderedJson::array();
   for (const FrameFigures& frame : run.figures.frames) {
-    json["frames"].push_back({{"frame", frame.frame},
-                              {"counted", frame.counted},
-                              {"still", frame.still},
-                              {"psnr", number(frame.psnr)},
-                              {"ssim", number(frame.ssim)},
-                              {"flip", number(frame.flip)},
-                              {"flip30", number(frame.flip30)},
-                              {"tpsnr", number(frame.tpsnr)},
-                              {"sharpness", number(frame.sharpness)}});
+    OrderedJson figures = {
+        {"frame", frame.frame}, {"counted", frame.counted}, {"still", frame.still}};
+    for (const FigureInfo& figure : kFigures) figures[figure.key] = number(frame.*figure.frame);
+    json["frames"].push_back(std::move(figures));
   }
+  json["metrics_cpu_s"] = namedJson(run.figures.cpu_s);
   json["cost"] = {{"gpu_ms",
                    {{"median", number(run.cost.median_ms)},
-                    {"passes", passesJson(run.cost.passes_ms)},
-                    {"render", passesJson(run.cost.render_ms)}}},
+                    {"passes", namedJson(run.cost.passes_ms)},
+                    {"render", namedJson(run.cost.render_ms)}}},
                   {"shading_evaluations_per_pixel", run.cost.shading_evaluations_per_pixel},
                   {"history_bytes", run.cost.history_bytes}};
   return json;
@@ -86,15 +106,18 @@ OrderedJson resultsJson(const Results& results) {
 }
 
 std::string resultsCsv(const Results& results) {
-  std::string csv = "source,technique,frame,counted,still,psnr,ssim,flip,flip30,tpsnr,sharpness\n";
+  std::string csv = "source,technique,frame,counted,still";
+  for (const FigureInfo& figure : kFigures) csv += fmt::format(",{}", figure.key);
+  csv += "\n";
   for (const RunResult& run : results.runs) {
     for (const FrameFigures& f : run.figures.frames) {
-      const auto cell = [](double value) {
-        return std::isfinite(value) ? fmt::format("{:.6g}", value) : std::string();
-      };
-      csv += fmt::format("\"{}\",\"{}\",{},{},{},{},{},{},{},{},{}\n", run.source, run.technique,
-                         f.frame, f.counted ? 1 : 0, f.still ? 1 : 0, cell(f.psnr), cell(f.ssim),
-                         cell(f.flip), cell(f.flip30), cell(f.tpsnr), cell(f.sharpness));
+      csv += fmt::format("\"{}\",\"{}\",{},{},{}", run.source, run.technique, f.frame,
+                         f.counted ? 1 : 0, f.still ? 1 : 0);
+      for (const FigureInfo& figure : kFigures) {
+        const double value = f.*figure.frame;
+        csv += std::isfinite(value) ? fmt::format(",{:.6g}", value) : ",";
+      }
+      csv += "\n";
     }
   }
   return csv;

@@ -2,7 +2,6 @@
 #include "lab/run/sequence_run.h"
 
 #include <algorithm>
-#include <cmath>
 
 #include "lab/run/interrupt.h"
 
@@ -13,17 +12,6 @@ namespace {
 constexpr uint32_t kMaxSpans = 2048;
 
 }  // namespace
-
-float medianLength(const FloatImage& motion) {
-  std::vector<float> lengths(motion.texelCount());
-  for (size_t i = 0; i < lengths.size(); ++i) {
-    lengths[i] = std::hypot(motion.texels[2 * i], motion.texels[2 * i + 1]);
-  }
-  if (lengths.empty()) return 0.0f;
-  const auto middle = lengths.begin() + static_cast<std::ptrdiff_t>(lengths.size() / 2);
-  std::nth_element(lengths.begin(), middle, lengths.end());
-  return *middle;
-}
 
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
                         bool keep_images, const std::function<void(const FrameDone&)>& done) {
@@ -49,7 +37,6 @@ SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver,
     });
     run.resolve_times.add(index, {resolve, spans.end()});
     run.render_times.add(index, {spans.begin(), resolve});
-    run.median_motion_px.push_back(medianLength(source.motion(index)));
     FloatImage image = download(device, resolver.output());
     if (done) done({index, inputs, image});
     if (keep_images) run.images.push_back(std::move(image));

@@ -13,15 +13,11 @@
 
 namespace reprise::lab {
 
-// Median |motion| of an image of two channels, in its units.
-float medianLength(const FloatImage& motion);
-
 struct SequenceRun {
-  std::vector<FloatImage> images;       // RGBA linear, a frame each
-  std::vector<float> median_motion_px;  // of the inputs, |motion|, a frame each
-  PassTimes render_times;               // the source's passes
-  PassTimes resolve_times;              // the technique's
-  double evaluations_per_pixel = 0.0;   // mean over frames; 0 where not known
+  std::vector<FloatImage> images;      // RGBA linear, a frame each
+  PassTimes render_times;              // the source's passes
+  PassTimes resolve_times;             // the technique's
+  double evaluations_per_pixel = 0.0;  // mean over frames; 0 where not known
 };
 
 struct FrameDone {

@@ -24,6 +24,8 @@ LAB_CONST kMaxFramesBack = 8u;
 // Kinds of material; each has its shading in lab/scene/shading, and its line in shading_list.glsl.
 LAB_CONST kMaterialChart = 0u;
 LAB_CONST kMaterialBrick = 1u;
+LAB_CONST kMaterialWood = 2u;
+LAB_CONST kMaterialMarble = 3u;
 
 LAB_CONST kMaxLights = 8u;
 LAB_CONST kLightPoint = 0u;

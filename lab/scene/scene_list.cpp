@@ -13,11 +13,13 @@ namespace reprise::lab {
 
 SceneInfo brickScene();
 SceneInfo chartScene();
+SceneInfo horseScene();
 
 const std::vector<SceneInfo>& sceneList() {
   static const std::vector<SceneInfo> list = {
       chartScene(),
       brickScene(),
+      horseScene(),
   };
   return list;
 }

@@ -51,6 +51,11 @@ TEST(Scenes, GeometryIsWholeAndCamerasArePureFunctionsOfTime) {
         values[parameter.name] = parameter.default_value;
       // Asked in another order, the answer is the same.
       const CameraPose late = a->camera(camera.name, values, 0.7, 540);
+      for (uint32_t i = 0; i < geometry.instances.size(); ++i) {
+        const glm::mat4 there = a->transform(i, 0.7);
+        a->transform(i, 0.1);
+        EXPECT_EQ(there, b->transform(i, 0.7)) << info.name << " instance " << i;
+      }
       a->camera(camera.name, values, 0.1, 540);
       const CameraPose again = b->camera(camera.name, values, 0.7, 540);
       EXPECT_EQ(late.eye_world, again.eye_world);

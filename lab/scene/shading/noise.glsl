@@ -9,6 +9,10 @@ float latticeValue(ivec2 cell, uint seed) {
   return unitFloat(hashPcg(uint(cell.x) * 1597334677u ^ uint(cell.y) * 3812015801u ^ seed));
 }
 
+float latticeValue(ivec3 cell, uint seed) {
+  return latticeValue(cell.xy, seed ^ (uint(cell.z) * 2246822519u));
+}
+
 // Value noise in [0, 1] with a cubic fade; one feature a unit.
 float valueNoise(vec2 p, uint seed) {
   vec2 base = floor(p);
@@ -19,6 +23,21 @@ float valueNoise(vec2 p, uint seed) {
   float top =
       mix(latticeValue(cell + ivec2(0, 1), seed), latticeValue(cell + ivec2(1, 1), seed), f.x);
   return mix(bottom, top, f.y);
+}
+
+float valueNoise(vec3 p, uint seed) {
+  vec3 base = floor(p);
+  vec3 f = p - base;
+  f = f * f * (3.0 - 2.0 * f);
+  ivec3 cell = ivec3(base);
+  vec4 near =
+      vec4(latticeValue(cell, seed), latticeValue(cell + ivec3(1, 0, 0), seed),
+           latticeValue(cell + ivec3(0, 1, 0), seed), latticeValue(cell + ivec3(1, 1, 0), seed));
+  vec4 far =
+      vec4(latticeValue(cell + ivec3(0, 0, 1), seed), latticeValue(cell + ivec3(1, 0, 1), seed),
+           latticeValue(cell + ivec3(0, 1, 1), seed), latticeValue(cell + ivec3(1, 1, 1), seed));
+  vec4 plane = mix(near, far, f.z);
+  return mix(mix(plane.x, plane.y, f.x), mix(plane.z, plane.w, f.x), f.y);
 }
 
 // Share of a pattern of `frequency` (features a unit of uv) that a pixel of that footprint shows;

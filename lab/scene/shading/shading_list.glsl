@@ -5,6 +5,8 @@
 
 #include "lab/scene/shading/brick.glsl"
 #include "lab/scene/shading/chart.glsl"
+#include "lab/scene/shading/marble.glsl"
+#include "lab/scene/shading/wood.glsl"
 
 // Bit k: materials of kind k occur. CPU drivers run every branch that is compiled in.
 layout(constant_id = 0) const uint kKinds = 0xffffffffu;
@@ -16,6 +18,8 @@ bool isKind(uint kind, uint wanted) {
 vec3 shadeMaterial(uint kind, SurfacePoint s) {
   if (isKind(kind, kMaterialChart)) return shadeChart(s);
   if (isKind(kind, kMaterialBrick)) return shadeBrick(s);
+  if (isKind(kind, kMaterialWood)) return shadeWood(s);
+  if (isKind(kind, kMaterialMarble)) return shadeMarble(s);
   return vec3(0.0);
 }
 

@@ -58,7 +58,7 @@ function drawTable() {
   const root = element(table, "table");
   const head = element(element(root, "thead"), "tr");
   element(head, "th", "technique");
-  for (const c of shownColumns) element(head, "th", c.name + (c.unit ? ` (${c.unit})` : ""));
+  for (const c of shownColumns) element(element(head, "th", c.name), "small", c.unit);
   const body = element(root, "tbody");
   const runs = runsHere();
   for (const run of runs) {

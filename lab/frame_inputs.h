@@ -23,12 +23,15 @@ class Image;       // lab/vk/image.h; every image of the lab stays in VK_IMAGE_L
 struct FrameInputs {
   uint32_t index = 0;  // within the sequence, from 0
   VkExtent2D extent{};
-  const Image* color = nullptr;     // live frames: RGBA16F
-  const Image* depth = nullptr;     // live frames: D32
-  const Image* motion = nullptr;    // live frames: RG32F, pixels: prev_px = px + motion
-  const Image* reactive = nullptr;  // optional
-  const Image* id = nullptr;        // optional
-  const Image* extra = nullptr;     // optional: served sample requests
+  const Image* color = nullptr;          // live frames: RGBA16F
+  const Image* depth = nullptr;          // live frames: D32
+  const Image* motion = nullptr;         // live frames: RG32F, pixels: prev_px = px + motion
+  const Image* reactive = nullptr;       // optional
+  const Image* id = nullptr;             // optional
+  const Image* extra = nullptr;          // optional: served sample requests
+  const Image* depth_samples = nullptr;  // optional: D32, 4 samples, where the plan asks for it
+  // Optional: RGBA16F, light that was kept out of `color`, to be added to what is resolved.
+  const Image* late = nullptr;
   // Motion to the frame a frames back at [a - 1]; null where the plan did not ask for it.
   std::array<const Image*, REPRISE_MAX_MOTION_BACK> motion_back{};
   float jitter_px[2] = {0.0f, 0.0f};

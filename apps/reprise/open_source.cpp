@@ -23,6 +23,9 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_option("--mip-bias", mip_bias, "scenes: levels added to what the technique asks for")
       ->check(CLI::Range(-8.0f, 8.0f))
       ->capture_default_str();
+  verb.add_flag("--defer-lights", defer_lights,
+                "scenes: lights of the deferred layer are kept from the technique, shaded at each "
+                "pixel's centre in every frame, and added to its result");
   if (!with_reference) return;
   verb.add_option("--samples", reference_samples, "reference samples a pixel, even")
       ->check(CLI::Range(2u, 65536u))
@@ -30,6 +33,10 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_option("--reference-filter", reference_filter,
                   "box (1 px) or gaussian (0.4737 px, not truncated)")
       ->check(CLI::IsMember({"box", "gaussian"}))
+      ->capture_default_str();
+  verb.add_option("--reference-shutter", reference_shutter,
+                  "frames that the reference's shutter is open: motion blur; 0: none")
+      ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
   verb.add_option("--cache", cache,
                   "directory of rendered references, or none (default: $REPRISE_CACHE, "
@@ -44,9 +51,11 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.frame_rate = frame_rate;
   options.switches.unjitter_textures = unjitter_textures;
   options.switches.mip_bias = mip_bias;
+  options.switches.defer_lights = defer_lights;
   options.reference.samples = reference_samples;
   options.reference.filter =
       reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;
+  options.reference.shutter = reference_shutter;
   options.reference.cache = cache;
   return options;
 }

@@ -17,8 +17,10 @@ struct SceneFlags {
   double frame_rate = 60.0;
   uint32_t reference_samples = 256;
   std::string reference_filter = "box";
+  double reference_shutter = 0.0;
   std::string cache;
   bool unjitter_textures = false;
+  bool defer_lights = false;
   float mip_bias = 0.0f;
 
   void addTo(CLI::App& verb, bool with_reference);

@@ -264,6 +264,8 @@ typedef struct RepriseSamplePlan {
   int32_t coarse_origin_px[2];  // [0, coarse_size)
   // Bit a - 1: the technique would read RepriseFrame::motion_back[a - 1].
   uint32_t motion_back;
+  // 4: the technique would read RepriseFrame::depth_samples; 0: it would not.
+  uint32_t depth_samples;
 } RepriseSamplePlan;
 
 // The plan of frame `frame_index`: a pure function of the index, the settings and the extents.
@@ -312,6 +314,9 @@ typedef struct RepriseFrame {
   // Optional: the sum of the evaluations that requests asked for (rgb) and their number (a), in the
   // exposure of `color`; 0 where none was served. Any sampled float format.
   RepriseImage extra;
+  // Optional: depth of the same projection as `depth`, multisampled: 4 samples at Vulkan's standard
+  // positions (VkPhysicalDeviceLimits::standardSampleLocations). Coverage of silhouettes.
+  RepriseImage depth_samples;
   // Optional: motion_back[a - 1] is the motion to the frame a frames back, scaled by motion_scale,
   // free of jitter whatever the context's flags say; entries without a view are not given.
   const RepriseImage* motion_back;

@@ -46,6 +46,14 @@ eq::vec2 referenceJitter(uint32_t index, uint32_t half, ReferenceFilter filter) 
                   static_cast<float>(-kGaussianSigma_px * normalQuantile(u.y + kHalfStep)));
 }
 
+// Frames from the frame's instant, within half a shutter: an additive recurrence by the golden
+// ratio, whose points are spread whatever their number; the halves are half a period apart.
+double referenceInstant(uint32_t index, uint32_t half, double shutter) {
+  constexpr double kGoldenRatio = 0.61803398874989485;
+  const double at = (index + 0.5) * kGoldenRatio + 0.5 * half;
+  return (at - std::floor(at) - 0.5) * shutter;
+}
+
 double displayPsnr(const FloatImage& a, float a_scale, const FloatImage& b, float b_scale) {
   double sum = 0.0;
   for (size_t i = 0; i < a.texels.size(); ++i) {
@@ -82,6 +90,7 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   const std::vector<uint8_t> content = renderer_.contentBytes();
   uint64_t key = hashBytes(content.data(), content.size());
   key = hashBytes(&options_.filter, sizeof(options_.filter), key);
+  if (options_.shutter > 0.0) key = hashBytes(&options_.shutter, sizeof(options_.shutter), key);
   const std::string identity = device_.name() + device_.driver();
   key = hashBytes(identity.data(), identity.size(), key);
   char name[32];
@@ -91,6 +100,8 @@ FloatImage ReferenceStore::reference(uint32_t index) {
 
   ReferenceSums sums;
   const uint32_t wanted = options_.samples / 2;
+  // A submission sees one instant.
+  const uint32_t submission = options_.shutter > 0.0 ? 1 : kSamplesASubmission;
   ReferenceFileState state = ReferenceFileState::kAbsent;
   if (cached) state = readReferenceFile(path, extent.width, extent.height, sums);
   if (state == ReferenceFileState::kDamaged && warn_) {
@@ -100,7 +111,7 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   // must give equal bytes, so it is not used but left for those who want it.
   const uint32_t held = sums.samples_a_half;
   const bool use = state == ReferenceFileState::kWhole &&
-                   (held == wanted || (held < wanted && held % kSamplesASubmission == 0));
+                   (held == wanted || (held < wanted && held % submission == 0));
   if (!use) {
     sums = ReferenceSums{};
     for (FloatImage& half : sums.halves) half = FloatImage(extent.width, extent.height, 3);
@@ -111,10 +122,13 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   for (uint32_t half = 0; half < 2; ++half) {
     uint32_t done = sums.samples_a_half;
     while (done < wanted) {
-      const uint32_t end = std::min(wanted, (done / kSamplesASubmission + 1) * kSamplesASubmission);
+      const uint32_t end = std::min(wanted, (done / submission + 1) * submission);
       std::vector<eq::vec2> jitters_px;
       for (uint32_t i = done; i < end; ++i) {
         jitters_px.push_back(referenceJitter(i, half, options_.filter));
+      }
+      if (options_.shutter > 0.0) {
+        renderer_.setFrame(index + referenceInstant(done, half, options_.shutter), 0.0f);
       }
       device_.submitAndWait([&](VkCommandBuffer commands) {
         renderer_.recordTransform(commands, 0);

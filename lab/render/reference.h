@@ -22,6 +22,8 @@ enum class ReferenceFilter {
 struct ReferenceOptions {
   uint32_t samples = 256;  // a pixel, even, [2, 2^16]
   ReferenceFilter filter = ReferenceFilter::kBox;
+  // Frames that the shutter is open, about the frame's instant; 0: all samples at that instant.
+  double shutter = 0.0;
   std::filesystem::path cache;  // "": ReferenceStore::defaultCache(); "none": no cache
 };
 
@@ -30,7 +32,7 @@ class ReferenceStore {
   ReferenceStore(Device& device, Renderer& renderer, const ReferenceOptions& options);
 
   // Linear RGB of frame `index`. Samples are Owen-scrambled Sobol points in two halves of their own
-  // scrambling, all at the same instant. From the cache where it has enough samples.
+  // scrambling, their instants spread over the shutter. From the cache where it has enough samples.
   FloatImage reference(uint32_t index);
 
   // PSNR in dB of one half of the samples against the other, in display space, of the last

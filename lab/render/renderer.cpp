@@ -122,15 +122,15 @@ RepriseCamera Renderer::cameraAt(double time_s, float* near_plane) const {
   return camera;
 }
 
-double Renderer::timeOf(int64_t index) const {
+double Renderer::timeOf(double frame) const {
   if (run_.camera->frozen_at_s.has_value()) return *run_.camera->frozen_at_s;
-  return static_cast<double>(std::max<int64_t>(index, 0)) / frame_rate_;
+  return std::max(frame, 0.0) / frame_rate_;
 }
 
-void Renderer::setFrame(uint32_t index, float mip_bias) {
+void Renderer::setFrame(double frame, float mip_bias) {
   GpuFrame data{};
   for (uint32_t age = 0; age <= kMaxFramesBack; ++age) {
-    const double time_s = timeOf(int64_t{index} - age);
+    const double time_s = timeOf(frame - age);
     const RepriseCamera camera = cameraAt(time_s, nullptr);
     glm::mat4 view;
     glm::mat4 proj;
@@ -142,7 +142,7 @@ void Renderer::setFrame(uint32_t index, float mip_bias) {
       transforms[i] = scene_->transform(i, time_s);
     }
   }
-  const double now_s = timeOf(index);
+  const double now_s = timeOf(frame);
   camera_ = cameraAt(now_s, &near_plane_);
   const CameraPose pose = scene_->camera(run_.camera->name, run_.values, now_s, extent_.height);
   data.eye_world = glm::vec4(pose.eye_world, 1.0f);
@@ -169,13 +169,39 @@ void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) c
 void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const {
   // Reversed depth: the far plane is 0.
   beginRendering(commands, &visible_, depth_, 0.0f);
-  visibility_program_.bind(commands);
+  drawScene(commands, visibility_program_, jitter_px);
+  endRendering(commands);
+  fullBarrier(commands);
+}
+
+void Renderer::drawScene(VkCommandBuffer commands, const GraphicsProgram& program,
+                         eq::vec2 jitter_px) const {
+  program.bind(commands);
   const std::vector<Instance>& instances = scene_->geometry().instances;
   for (uint32_t i = 0; i < instances.size(); ++i) {
-    visibility_program_.push(commands, buffers_.visibilityBindings(),
-                             VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
+    program.push(commands, buffers_.visibilityBindings(),
+                 VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
     vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
   }
+}
+
+void Renderer::prepareDepthSamples() {
+  if (depth_samples_.view() != VK_NULL_HANDLE) return;
+  depth_samples_ = Image(device_, {.format = VK_FORMAT_D32_SFLOAT,
+                                   .extent = extent_,
+                                   .render_target = true,
+                                   .samples = VK_SAMPLE_COUNT_4_BIT});
+  depth_samples_program_ = GraphicsProgram(device_, {.name = "depth samples",
+                                                     .vertex_spirv = kVisibilityVertexShader,
+                                                     .fragment_spirv = {},
+                                                     .bindings = SceneBuffers::visibilityTypes(),
+                                                     .push_bytes = sizeof(VisibilityConstants),
+                                                     .samples = VK_SAMPLE_COUNT_4_BIT});
+}
+
+void Renderer::recordDepthSamples(VkCommandBuffer commands, eq::vec2 jitter_px) const {
+  beginRendering(commands, nullptr, depth_samples_, 0.0f);
+  drawScene(commands, depth_samples_program_, jitter_px);
   endRendering(commands);
   fullBarrier(commands);
 }
@@ -221,7 +247,8 @@ void Renderer::prepareServe() {
                 .specialization = shadeSpecialization(false)});
 }
 
-void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests) const {
+void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests,
+                           uint32_t light_layers) const {
   const VkClearColorValue zero{};
   const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   vkCmdClearColorImage(commands, extra_.handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
@@ -229,7 +256,7 @@ void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests) const {
   serve_program_.dispatchIndirect(
       commands, requests,
       followedBy(buffers_.shadingBindings(visible_), {stored(extra_), stored(requests)}),
-      ServeConstants{kAllLightLayers});
+      ServeConstants{light_layers});
   fullBarrier(commands);
 }
 
@@ -244,15 +271,26 @@ void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq
 }
 
 void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
-                               const ShadeConstants& constants) const {
+                               const Image& color, const ShadeConstants& constants) const {
   program.dispatch(commands, extent_,
-                   followedBy(buffers_.shadingBindings(visible_), {stored(color_), stored(sum_)}),
+                   followedBy(buffers_.shadingBindings(visible_), {stored(color), stored(sum_)}),
                    constants);
   fullBarrier(commands);
 }
 
 void Renderer::recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const {
-  recordShadeWith(commands, shade_program_, constants);
+  recordShadeWith(commands, shade_program_, color_, constants);
+}
+
+void Renderer::prepareLate() {
+  if (late_.view() != VK_NULL_HANDLE) return;
+  late_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
+}
+
+void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const {
+  const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
+                                 .light_layers = kLightLayerDeferred};
+  recordShadeWith(commands, shade_program_, late_, constants);
 }
 
 void Renderer::recordClearSum(VkCommandBuffer commands) const {
@@ -274,7 +312,7 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
     const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
                                    .unjitter = switches.unjitter_textures ? 1u : 0u,
                                    .light_layers = kAllLightLayers};
-    recordShadeWith(commands, accumulate_program_, constants);
+    recordShadeWith(commands, accumulate_program_, color_, constants);
     if (timestamps != nullptr) timestamps->stop(commands);
   }
 }

@@ -24,6 +24,7 @@ namespace reprise::lab {
 struct RenderSwitches {
   bool unjitter_textures = false;  // shade at the pixel centre although visibility is jittered
   float mip_bias = 0.0f;           // levels, added to the plan's
+  bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
 };
 
 class Renderer {
@@ -33,9 +34,10 @@ class Renderer {
   VkExtent2D extent() const { return extent_; }
   const Scene& scene() const { return *scene_; }
 
-  // Makes frame `index` the current one: uploads cameras, transforms and lights of it and of the
-  // frames before (the sequence begins at 0: earlier ones repeat the first).
-  void setFrame(uint32_t index, float mip_bias);
+  // Makes frame `frame` the current one, which may lie between two: uploads cameras, transforms and
+  // lights of it and of the frames before (the sequence begins at 0: earlier ones repeat the
+  // first).
+  void setFrame(double frame, float mip_bias);
 
   // Before every other pass of a frame: world space of all vertices, now and `frames_back` ago.
   void recordTransform(VkCommandBuffer commands, uint32_t frames_back) const;
@@ -51,10 +53,17 @@ class Renderer {
   void prepareGeometry();
   void recordGeometry(VkCommandBuffer commands) const;
   void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
+  // The deferred layer of light at the pixels' centres, into late(). prepareLate must have been
+  // called.
+  void prepareLate();
+  void recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const;
+  // Depth of four samples a pixel, into depthSamples(). prepareDepthSamples must have been called.
+  void prepareDepthSamples();
+  void recordDepthSamples(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   // Evaluates what a technique's request buffer asks for, into extra().
   // prepareServe must have been called.
   void prepareServe();
-  void recordServe(VkCommandBuffer commands, VkBuffer requests) const;
+  void recordServe(VkCommandBuffer commands, VkBuffer requests, uint32_t light_layers) const;
   // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean.
   void recordClearSum(VkCommandBuffer commands) const;
   void recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
@@ -70,6 +79,8 @@ class Renderer {
   const Image& motionBack(uint32_t frames_back) const { return motion_back_[frames_back - 1]; }
   // RGBA32F: motion (px), view depth, view depth of the same point a frame ago.
   const Image& geometry() const { return geometry_; }
+  const Image& late() const { return late_; }                   // RGBA16F
+  const Image& depthSamples() const { return depth_samples_; }  // D32, 4 samples
   const RepriseCamera& camera() const { return camera_; }
   float nearPlane() const { return near_plane_; }
 
@@ -84,11 +95,13 @@ class Renderer {
   RepriseCamera cameraAt(double time_s, float* near_plane) const;
   void createPrograms(Device& device);
   ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
-  // Seconds at which the scene is in frame `index`; earlier frames than 0 repeat it.
-  double timeOf(int64_t index) const;
+  // Seconds at which the scene is in frame `frame`; earlier frames than 0 repeat it.
+  double timeOf(double frame) const;
   std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
-  void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
+  void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program, const Image& color,
                        const ShadeConstants& constants) const;
+  void drawScene(VkCommandBuffer commands, const GraphicsProgram& program,
+                 eq::vec2 jitter_px) const;
 
   void recordMotionInto(VkCommandBuffer commands, const Image& image, eq::vec2 jitter_px,
                         uint32_t frames_back) const;
@@ -107,10 +120,14 @@ class Renderer {
   Image motion_;
   Image color_;
   Image sum_;
-  Image extra_;  // made by prepareServe, prepareMotionBack and prepareGeometry
+  // Made by their prepare functions.
+  Image extra_;
   Image geometry_;
+  Image late_;
+  Image depth_samples_;
   std::array<Image, kMaxFramesBack> motion_back_;
   GraphicsProgram visibility_program_;
+  GraphicsProgram depth_samples_program_;
   ComputeProgram transform_program_;
   ComputeProgram motion_program_;
   ComputeProgram shade_program_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/render/scene_source.h"
 
+#include <cstdio>
+#include <string>
 #include <vector>
 
 namespace reprise::lab {
@@ -18,6 +20,16 @@ std::vector<eq::vec2> stratifiedJitters(uint32_t n) {
   return jitters_px;
 }
 
+std::string describedFilter(const ReferenceOptions& reference) {
+  std::string text = reference.filter == ReferenceFilter::kBox ? "box" : "gaussian";
+  if (reference.shutter > 0.0) {
+    char shutter[32];
+    std::snprintf(shutter, sizeof(shutter), ", shutter %.3g", reference.shutter);
+    text += shutter;
+  }
+  return text;
+}
+
 }  // namespace
 
 SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options)
@@ -25,21 +37,22 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
       options_(options),
       renderer_(device, run, options.extent, options.frame_rate),
       references_(device, renderer_, options.reference) {
-  info_ = {
-      .name = run.name,
-      .extent = options.extent,
-      .frame_count = options.frames,
-      .frame_rate = options.frame_rate,
-      .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
-      .context_flags = 0,
-      .plan_is_honoured = true,
-      .reference_samples = options.reference.samples,
-      .reference_filter = options.reference.filter == ReferenceFilter::kBox ? "box" : "gaussian"};
+  info_ = {.name = run.name,
+           .extent = options.extent,
+           .frame_count = options.frames,
+           .frame_rate = options.frame_rate,
+           .depth_kind = REPRISE_DEPTH_REVERSED_INFINITE,
+           .context_flags = 0,
+           .plan_is_honoured = true,
+           .reference_samples = options.reference.samples,
+           .reference_filter = describedFilter(options.reference)};
 }
 
 void SceneSource::prepare(const SamplePlan& plan) {
   if (plan.request) renderer_.prepareServe();
   if (plan.library.motion_back != 0) renderer_.prepareMotionBack();
+  if (plan.library.depth_samples != 0) renderer_.prepareDepthSamples();
+  if (options_.switches.defer_lights) renderer_.prepareLate();
 }
 
 FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {
@@ -64,6 +77,9 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
   span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
 
+  // With many samples a pixel there is nothing to amortize, and nothing to defer.
+  const bool defer = options_.switches.defer_lights && plan.grid <= 1;
+  const uint32_t amortized_layers = defer ? kLightLayerMain : kAllLightLayers;
   FrameInputs inputs;
   inputs.index = index;
   inputs.extent = info_.extent;
@@ -80,9 +96,13 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     span("motion back", [&] { renderer_.recordMotionBack(commands, jitter_px, age); });
     inputs.motion_back[age - 1] = &renderer_.motionBack(age);
   }
+  if (sampling.depth_samples != 0) {
+    span("depth samples", [&] { renderer_.recordDepthSamples(commands, jitter_px); });
+    inputs.depth_samples = &renderer_.depthSamples();
+  }
   if (plan.grid <= 1 && plan.request) {
     const RepriseSampleRequests requests = plan.request(commands, inputs);
-    span("serve", [&] { renderer_.recordServe(commands, requests.buffer); });
+    span("serve", [&] { renderer_.recordServe(commands, requests.buffer, amortized_layers); });
     inputs.extra = &renderer_.extra();
   }
   if (plan.grid <= 1) {
@@ -93,8 +113,12 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
                                    .offset_sigma_px = sampling.shading_offset_sigma_px,
                                    .offset_seed = sampling.shading_offset_seed,
                                    .offset_quadrant = sampling.shading_offset_quadrant,
-                                   .light_layers = kAllLightLayers};
+                                   .light_layers = amortized_layers};
     span("shade", [&] { renderer_.recordShade(commands, constants); });
+  }
+  if (defer) {
+    span("late light", [&] { renderer_.recordLate(commands, jitter_px); });
+    inputs.late = &renderer_.late();
   }
 
   inputs.color = &renderer_.color();

@@ -83,6 +83,7 @@ RepriseFrame Resolver::frameOf(const FrameInputs& inputs, Timestamps* timestamps
   frame.reactive = asInput(inputs.reactive);
   frame.id = asInput(inputs.id);
   frame.extra = asInput(inputs.extra);
+  frame.depth_samples = asInput(inputs.depth_samples);
   for (size_t i = 0; i < motion_back_.size(); ++i) {
     motion_back_[i] = asInput(inputs.motion_back[i]);
   }

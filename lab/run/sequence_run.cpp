@@ -11,6 +11,12 @@ namespace {
 // Passes of a source with many samples repeat; 2048 spans hold a 16 x 16 grid and all resolves.
 constexpr uint32_t kMaxSpans = 2048;
 
+void addLight(FloatImage& image, const FloatImage& late) {
+  for (size_t i = 0; i < image.texelCount(); ++i) {
+    for (size_t c = 0; c < 3; ++c) image.texels[4 * i + c] += late.texels[4 * i + c];
+  }
+}
+
 }  // namespace
 
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
@@ -38,6 +44,7 @@ SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver,
     run.resolve_times.add(index, {resolve, spans.end()});
     run.render_times.add(index, {spans.begin(), resolve});
     FloatImage image = download(device, resolver.output());
+    if (inputs.late != nullptr) addLight(image, download(device, *inputs.late));
     if (done) done({index, inputs, image});
     if (keep_images) run.images.push_back(std::move(image));
   }

@@ -19,7 +19,8 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
   stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
   stages[0].module = createShaderModule(device, info.vertex_spirv);
   stages[1].stage = VK_SHADER_STAGE_FRAGMENT_BIT;
-  stages[1].module = createShaderModule(device, info.fragment_spirv);
+  const bool has_fragments = !info.fragment_spirv.empty();
+  if (has_fragments) stages[1].module = createShaderModule(device, info.fragment_spirv);
 
   VkPipelineVertexInputStateCreateInfo vertex_input{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_VERTEX_INPUT_STATE_CREATE_INFO};
@@ -36,7 +37,7 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
   raster.lineWidth = 1.0f;
   VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
-  multisample.rasterizationSamples = VK_SAMPLE_COUNT_1_BIT;
+  multisample.rasterizationSamples = info.samples;
   VkPipelineDepthStencilStateCreateInfo depth{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = VK_TRUE;
@@ -63,7 +64,7 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
 
   VkGraphicsPipelineCreateInfo pipeline{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   pipeline.pNext = &rendering;
-  pipeline.stageCount = 2;
+  pipeline.stageCount = has_fragments ? 2 : 1;
   pipeline.pStages = stages;
   pipeline.pVertexInputState = &vertex_input;
   pipeline.pInputAssemblyState = &assembly;

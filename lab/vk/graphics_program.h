@@ -12,12 +12,13 @@ namespace reprise::lab {
 struct GraphicsProgramInfo {
   const char* name = "";
   std::span<const uint32_t> vertex_spirv;
-  std::span<const uint32_t> fragment_spirv;
+  std::span<const uint32_t> fragment_spirv;  // empty: depth only
   std::vector<VkDescriptorType> bindings;  // seen by both stages; vertices are pulled from buffers
   uint32_t push_bytes = 0;
   VkFormat color_format = VK_FORMAT_UNDEFINED;  // UNDEFINED: depth only
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed depth
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 // Triangles without vertex input, rendered dynamically into one colour and one depth image.

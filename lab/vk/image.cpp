@@ -63,7 +63,7 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
   image_info.extent = {info.extent.width, info.extent.height, 1};
   image_info.mipLevels = 1;
   image_info.arrayLayers = 1;
-  image_info.samples = VK_SAMPLE_COUNT_1_BIT;
+  image_info.samples = info.samples;
   image_info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                      VK_IMAGE_USAGE_TRANSFER_DST_BIT;
   if (depth) {

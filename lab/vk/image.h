@@ -15,6 +15,8 @@ struct ImageInfo {
   VkExtent2D extent{1, 1};
   // Colour formats are sampled and stored to; depth formats sampled and rendered to.
   bool render_target = false;
+  // 4: rendered to and fetched from by shaders; neither stored to, up- nor downloaded.
+  VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
 };
 
 // A 2D image of one mip level that stays in VK_IMAGE_LAYOUT_GENERAL from its creation on.

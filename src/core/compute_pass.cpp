@@ -142,6 +142,19 @@ PassRecording& PassRecording::constants(const void* data, uint32_t bytes) {
   return *this;
 }
 
+// `end`: 0 before the pass, 1 after it.
+void PassRecording::writeTimestamp(uint32_t end) const {
+  if (target_.timestamps == VK_NULL_HANDLE) return;
+  pass_.gpu_.vk.CmdWriteTimestamp(target_.commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+                                  target_.timestamps,
+                                  target_.first_timestamp + 2 * pass_index_ + end);
+}
+
+void PassRecording::skip() {
+  writeTimestamp(0);
+  writeTimestamp(1);
+}
+
 void PassRecording::dispatch(VkExtent2D extent) {
   assert(count_ == pass_.bindings_.size());
   const VulkanFunctions& vk = pass_.gpu_.vk;
@@ -159,21 +172,14 @@ void PassRecording::dispatch(VkExtent2D extent) {
   vk.UpdateDescriptorSets(pass_.gpu_.device, count_, writes, 0, nullptr);
 
   const VkCommandBuffer commands = target_.commands;
-  const uint32_t first_query = target_.first_timestamp + 2 * pass_index_;
-  if (target_.timestamps != VK_NULL_HANDLE) {
-    vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, target_.timestamps,
-                         first_query);
-  }
+  writeTimestamp(0);
   vk.CmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass_.pipeline_);
   vk.CmdBindDescriptorSets(commands, VK_PIPELINE_BIND_POINT_COMPUTE, pass_.layout_, 0, 1, &set, 0,
                            nullptr);
   constexpr uint32_t kSize = REPRISE_WORKGROUP_SIZE;
   vk.CmdDispatch(commands, (extent.width + kSize - 1) / kSize, (extent.height + kSize - 1) / kSize,
                  1);
-  if (target_.timestamps != VK_NULL_HANDLE) {
-    vk.CmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, target_.timestamps,
-                         first_query + 1);
-  }
+  writeTimestamp(1);
   // Read after write by the next pass or the next frame, and write after read by the next frame.
   VkMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_MEMORY_BARRIER};
   barrier.srcAccessMask = VK_ACCESS_SHADER_WRITE_BIT;

@@ -85,12 +85,16 @@ class PassRecording {
   PassRecording& constants(const Constants& value) {
     return constants(&value, static_cast<uint32_t>(sizeof(Constants)));
   }
+  // In the place of binding and dispatching, where a frame has nothing for the pass to do: its
+  // timestamps are written all the same.
+  void skip();
   // One invocation a pixel of `extent`; then a barrier that lets later passes read what was
   // written.
   void dispatch(VkExtent2D extent);
 
  private:
   PassRecording& constants(const void* data, uint32_t bytes);
+  void writeTimestamp(uint32_t end) const;
   void expect(Binding a, Binding b) const;
 
   ComputePass& pass_;

@@ -96,6 +96,7 @@ void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique
   checkImage(frame.reactive, "reactive", false, input);
   checkImage(frame.id, "id", false, input);
   checkImage(frame.extra, "extra", false, input);
+  checkImage(frame.depth_samples, "depth_samples", false, input);
   checkImage(frame.output, "output", shaded, output);
   require(frame.motion_back_count <= REPRISE_MAX_MOTION_BACK,
           "motion_back_count is above REPRISE_MAX_MOTION_BACK");
@@ -105,6 +106,7 @@ void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique
     checkInputLayout(frame.motion_back[i], "motion_back");
   }
   checkInputLayout(frame.extra, "extra");
+  checkInputLayout(frame.depth_samples, "depth_samples");
   checkInputLayout(frame.color, "color");
   checkInputLayout(frame.depth, "depth");
   checkInputLayout(frame.motion, "motion");

@@ -27,7 +27,8 @@ class Amortized final : public Technique {
     variant_ = {.slots = slots,
                 .exact_motion = s.choice(kMotion) == kMotionExact,
                 .silhouettes = s.choice(kSamples) == kSamplesFrame,
-                .residuals = s.number(kResidual) > 0.0};
+                .residuals = s.number(kResidual) > 0.0,
+                .coverage = s.on(kCoverage)};
     const VkFormat one =
         declaration.storable(VK_FORMAT_R16_SFLOAT) ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT;
     // One more than are read: a gather reads neighbours of the buffer that is written.
@@ -56,6 +57,10 @@ class Amortized final : public Technique {
     }
     resolve_ = declareResolvePass(declaration, variant_);
     if (variant_.residuals) smooth_ = declareResidualPasses(declaration);
+    if (variant_.coverage) {
+      resolved_ = declaration.history("resolved color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 1);
+      coverage_ = declareCoveragePass(declaration);
+    }
   }
 
   void recordRequest(Recorder& recorder, const FrameState& state) override {
@@ -84,6 +89,7 @@ class Amortized final : public Technique {
     beginFrame(state);
     const uint32_t target = targetOf(state);
     recordResolve(recorder, state, target);
+    if (variant_.coverage) recordCoverage(recorder, state);
     if (variant_.residuals) recordResiduals(recorder, state);
     BufferHistory::Written written{
         .record = state.record,
@@ -133,9 +139,31 @@ class Amortized final : public Technique {
     pass.write(currentOr(!variant_.exact_motion, motion_0_));
     pass.write(currentOr(!variant_.exact_motion && variant_.slots > 2, motion_1_));
     pass.write(currentOr(variant_.residuals, residual_));
-    pass.write(state.frame.output.view);
+    pass.write(composesCoverage(state) ? recorder.history(resolved_).current(0)
+                                       : state.frame.output.view);
     pass.constants(constantsOf(recorder, state, target));
     pass.dispatch(state.output_extent);
+  }
+
+  bool composesCoverage(const FrameState& state) const {
+    return variant_.coverage && state.frame.depth_samples.view != VK_NULL_HANDLE;
+  }
+
+  void recordCoverage(Recorder& recorder, const FrameState& state) {
+    PassRecording pass = recorder.pass(coverage_);
+    if (!composesCoverage(state)) {
+      pass.skip();
+      return;
+    }
+    CoverageConstants constants{};
+    constants.frame = frameConstants(state, recorder.history(buffers_).extent());
+    constants.depth_tolerance = state.settings.real(kDepthTolerance);
+    pass.read(recorder.history(resolved_).current(0))
+        .read(state.frame.depth)
+        .read(state.frame.depth_samples)
+        .write(state.frame.output.view)
+        .constants(constants)
+        .dispatch(state.output_extent);
   }
 
   void recordResiduals(Recorder& recorder, const FrameState& state) {
@@ -194,8 +222,10 @@ class Amortized final : public Technique {
   HistoryHandle row_means_ = 0;
   HistoryHandle smoothed_ = 0;
   HistoryHandle failed_ = 0;
+  HistoryHandle resolved_ = 0;
   RequestPasses request_;
   PassHandle resolve_ = 0;
+  PassHandle coverage_ = 0;
   ResidualPasses smooth_;
 };
 

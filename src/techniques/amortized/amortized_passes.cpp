@@ -13,6 +13,9 @@ constexpr uint32_t kResolveShader[] = {
 constexpr uint32_t kResidualShader[] = {
 #include "amortized_residual.comp.inc"
 };
+constexpr uint32_t kCoverageShader[] = {
+#include "amortized_coverage.comp.inc"
+};
 constexpr uint32_t kRequestFindShader[] = {
 #include "amortized_request_find.comp.inc"
 };
@@ -73,6 +76,15 @@ PassHandle declareResolvePass(Declaration& declaration, const Variant& variant) 
                                       Binding::kStorage, Binding::kStorage, Binding::kConstants}),
        .constant_bytes = sizeof(AmortizedConstants),
        .specialization = std::move(specialization)});
+}
+
+PassHandle declareCoveragePass(Declaration& declaration) {
+  return declaration.pass({.name = "coverage",
+                           .spirv = kCoverageShader,
+                           .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                                        Binding::kStorage, Binding::kConstants},
+                           .constant_bytes = sizeof(CoverageConstants),
+                           .specialization = {}});
 }
 
 ResidualPasses declareResidualPasses(Declaration& declaration) {

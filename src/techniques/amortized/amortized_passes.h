@@ -14,6 +14,7 @@ struct Variant {
   bool exact_motion = false;
   bool silhouettes = false;  // the projection is jittered
   bool residuals = false;
+  bool coverage = false;
 };
 
 struct RequestPasses {
@@ -29,6 +30,7 @@ struct ResidualPasses {
 
 RequestPasses declareRequestPasses(Declaration& declaration, const Variant& variant);
 PassHandle declareResolvePass(Declaration& declaration, const Variant& variant);
+PassHandle declareCoveragePass(Declaration& declaration);
 ResidualPasses declareResidualPasses(Declaration& declaration);
 
 }  // namespace reprise::amortized

@@ -65,6 +65,10 @@ constexpr auto kSettings = settingTable({
     numberSetting(kShutter, "shutter", 0.0, 0.0, 1.0, "frames",
                   "motion blur: how long the shutter is open about the frame's instant; 0: none",
                   "Yang et al. 2009, section 8, future work"),
+    switchSetting(kCoverage, "coverage", false,
+                  "silhouettes by hardware multisampling: RepriseFrame::depth_samples says which "
+                  "share of a pixel each neighbouring surface covers; costs 8 bytes a pixel",
+                  "Yang et al. 2009, sections 1 and 8: framebuffer multisampling for silhouettes"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.01, 0.001, 1.0, "relative",
                   "relative difference of depths, beyond the surface's slope, that is still the "
                   "same surface",

@@ -22,6 +22,7 @@ enum Setting : uint32_t {
   kFixedAlpha,
   kMaxSamples,
   kShutter,
+  kCoverage,
   kDepthTolerance,
   kSettingCount
 };

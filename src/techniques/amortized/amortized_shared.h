@@ -59,7 +59,16 @@ struct ResidualConstants {
   FrameConstants frame;
 };
 
+struct CoverageConstants {
+  FrameConstants frame;
+  float depth_tolerance;  // relative
+  float padding_0;
+  float padding_1;
+  float padding_2;
+};
+
 #ifdef __cplusplus
+static_assert(sizeof(CoverageConstants) == 128);
 static_assert(sizeof(AmortizedConstants) == 112 + 4 * 48 + 128 + 16 + 32 + 4096);
 static_assert(sizeof(RequestConstants) == 128);
 }  // namespace reprise::amortized

@@ -11,6 +11,9 @@ constexpr uint32_t kFrameJitterSeed = 0x9e3779b9u;
 // A jitter farther out than this would leave the range of a plan.
 constexpr float kFarthestJitter_px = 1.0f;
 
+// What amortized_coverage.comp knows the positions of.
+constexpr uint32_t kCoverageSamples = 4;
+
 // The ages that a frame finds its buffers in.
 void planMotionBack(const PlanRequest& request, RepriseSamplePlan& plan) {
   const uint32_t count = bufferCount(request.settings);
@@ -49,6 +52,7 @@ void planSampling(const PlanRequest& request, RepriseSamplePlan& plan) {
     plan.shading_offset_seed = frame;
     plan.shading_offset_quadrant = quadrant;
   }
+  if (settings.on(kCoverage)) plan.depth_samples = kCoverageSamples;
   if (settings.choice(kMotion) == kMotionExact) planMotionBack(request, plan);
 }
 

@@ -243,6 +243,38 @@ TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
   EXPECT_EQ(nlohmann::json::parse(json.out)["runs"].size(), 8u);
 }
 
+TEST_F(Cli, MetricsAreChosenAndAMissingTableIsOneLine) {
+  const std::string compare =
+      "compare chart/still -t none,taa --size 64x36 --frames 17 --samples 4 -o cmp --metrics ";
+  EXPECT_EQ(reprise(compare + "ssim,sharpnes").code, 2);
+  // Without REPRISE_DATA there is no table: a line, and the rest is measured.
+  const Ran without = shell("env -u REPRISE_DATA REPRISE_CACHE=" + path("cache") +
+                            " " REPRISE_COMMAND " " + compare + "ssim,residue,convergence,cvvdp");
+  EXPECT_EQ(without.code, 0) << without.error;
+  EXPECT_NE(without.error.find("ColorVideoVDP is unavailable"), std::string::npos);
+  auto run = nlohmann::json::parse(readWholeFile(path("cmp/results.json")))["runs"][1];
+  EXPECT_TRUE(run["mean"]["jod"].is_null());
+  EXPECT_TRUE(run["mean"]["flip"].is_null());
+  EXPECT_TRUE(run["mean"]["ssim"].is_number());
+  EXPECT_EQ(run["residue"]["frames"], 9);
+  EXPECT_GT(run["residue"]["sigma_mean"], 0.0);
+  EXPECT_GE(run["convergence"]["frames"], 1);
+  EXPECT_EQ(run["metrics_cpu_s"].size(), 4u);
+  std::ofstream(path("table.json")) << "{}";
+  const Ran damaged = reprise(compare + "cvvdp --cvvdp-table table.json");
+  EXPECT_EQ(damaged.code, 3);
+  EXPECT_NE(damaged.error.find("table.json: is no table of ColorVideoVDP"), std::string::npos)
+      << damaged.error;
+  const char* root = std::getenv("REPRISE_DATA");
+  if (root == nullptr || !std::filesystem::exists(std::filesystem::path(root) / "cvvdp"))
+    GTEST_SKIP() << "REPRISE_DATA holds no cvvdp";
+  ASSERT_EQ(reprise(compare + "cvvdp").code, 0);
+  run = nlohmann::json::parse(readWholeFile(path("cmp/results.json")))["runs"][1];
+  EXPECT_GT(run["mean"]["jod"], 0.0);
+  EXPECT_LT(run["mean"]["jod"], 10.0);
+  EXPECT_TRUE(run["frames"][16]["jod"].is_number());
+}
+
 TEST_F(Cli, TheReportWorksInABrowser) {
   ASSERT_EQ(
       reprise("compare chart/pan -t none,taa --size 64x36 --frames 10 --samples 16 -o cmp").code,

@@ -2,10 +2,12 @@
 #include <fmt/format.h>
 #include <spdlog/spdlog.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <memory>
 
 #include "compare_output.h"
+#include "lab/capture/capture_error.h"
 #include "lab/capture/output_file.h"
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/workers.h"
@@ -29,6 +31,7 @@ struct CompareFlags {
   double max_drop_db = 0.1;
   uint32_t report_mib = 48;
   std::string metrics = "default";
+  std::filesystem::path cvvdp_table;
 };
 
 nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value) {
@@ -63,7 +66,7 @@ lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) 
 
 lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
                           const lab::TechniqueChoice& choice, const lab::SequenceTruth& truth,
-                          const lab::MetricSet& metrics, CompareOutput& output, bool quiet) {
+                          lab::MeterOptions options, CompareOutput& output, bool quiet) {
   lab::Resolver resolver(device, choice, source.info());
   const std::string& name = source.info().name;
   lab::SequenceRun run;
@@ -84,7 +87,6 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
   lab::onWorkers(run.images.size(), [&](size_t i) {
     output.addImage(name, choice.label, static_cast<uint32_t>(i), lab::displayImage(run.images[i]));
   });
-  lab::MeterOptions options{.metrics = metrics};
   options.on_error_map = [&](size_t frame, const lab::FloatImage& error) {
     output.addError(name, choice.label, static_cast<uint32_t>(frame), error);
   };
@@ -93,9 +95,36 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
   return result;
 }
 
+// Its table is data that comes apart from this project: the flag's file, or what REPRISE_DATA
+// holds.
+std::optional<lab::ColorVideoVdp> openColorVideoVdp(const CompareFlags& flags,
+                                                    const lab::MetricSet& metrics) {
+  if (!metrics.has(lab::Metric::kColorVideoVdp)) return std::nullopt;
+  std::filesystem::path file = flags.cvvdp_table;
+  if (const char* root = std::getenv("REPRISE_DATA"); file.empty() && root != nullptr) {
+    file = std::filesystem::path(root) / "cvvdp" / lab::CsfTable::kFileName;
+    std::error_code error;
+    if (!std::filesystem::exists(file, error)) file.clear();
+  }
+  if (file.empty()) {
+    spdlog::warn(
+        "ColorVideoVDP is unavailable: its table {} is neither given (--cvvdp-table) nor below "
+        "REPRISE_DATA/cvvdp",
+        lab::CsfTable::kFileName);
+    return std::nullopt;
+  }
+  try {
+    return lab::ColorVideoVdp(lab::CsfTable::load(file), lab::kVdpStandard4k);
+  } catch (const std::runtime_error& error) {
+    throw lab::CaptureError("--cvvdp-table", "", error.what());
+  }
+}
+
 int compare(const Globals& globals, const CompareFlags& flags) {
   const std::vector<lab::TechniqueChoice> choices = lab::parseTechniques(flags.techniques);
-  const lab::MetricSet metrics = lab::MetricSet::parse(flags.metrics);
+  lab::MeterOptions options{.metrics = lab::MetricSet::parse(flags.metrics)};
+  const std::optional<lab::ColorVideoVdp> vdp = openColorVideoVdp(flags, options.metrics);
+  options.color_video_vdp = vdp ? &*vdp : nullptr;
   // Read first: a comparison of an hour must not end in a missing file.
   const std::string baseline = flags.baseline.empty() ? "" : lab::readWholeFile(flags.baseline);
   const auto layout = static_cast<lab::CaptureLayout>(
@@ -127,7 +156,7 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     });
     for (const lab::TechniqueChoice& choice : choices) {
       results.runs.push_back(
-          compareOne(*device, *source, choice, truth, metrics, output, globals.quiet));
+          compareOne(*device, *source, choice, truth, options, output, globals.quiet));
     }
     reportCapture(*source, true);
     code = std::max<int>(code, validationResult(*device));
@@ -166,6 +195,9 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
                    "figures to measure, separated by commas: default, all, or names of "
                    "docs/metrics.md; cvvdp is not in default")
       ->capture_default_str();
+  verb->add_option("--cvvdp-table", flags->cvvdp_table,
+                   "csf_lut_weber_fixed_size.json of ColorVideoVDP; by default below "
+                   "REPRISE_DATA/cvvdp");
   verb->add_option("--layout", flags->layout, "channel names of captures without capture.json")
       ->check(CLI::IsMember(lab::kCaptureLayouts))
       ->capture_default_str();

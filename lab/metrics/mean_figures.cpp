@@ -54,6 +54,11 @@ std::optional<MeanFigures> meanFigures(const std::vector<FrameFigures>& frames,
       meanOver(taken, [](const FrameFigures& f) { return std::pow(10.0, -0.1 * f.psnr); }));
   mean.tpsnr =
       psnrOrNone(meanOver(taken, [](const FrameFigures& f) { return f.temporal_squared_error; }));
+  std::vector<double> quality;
+  for (const FrameFigures* frame : taken) {
+    if (!std::isnan(frame->cvvdp_quality)) quality.push_back(frame->cvvdp_quality);
+  }
+  if (!quality.empty()) mean.jod = jodFromQuality(pooledQuality(quality));
   AgeError disocclusion;
   for (const FrameFigures* frame : taken) addTo(disocclusion, frame->disocclusion);
   mean.disoccluded = psnrOf(disocclusion);

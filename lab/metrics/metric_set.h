@@ -32,7 +32,8 @@ constexpr std::array<const char*, kMetricCount> kMetricNames = {
 
 class MetricSet {
  public:
-  // All but ColorVideoVDP, which costs more than the rest together.
+  // All but ColorVideoVDP: its table comes apart from this project, and what is measured by default
+  // does not depend on what a machine has.
   static MetricSet usual();
   // Names separated by commas; "default" and "all" stand for sets. Throws std::invalid_argument
   // naming the one that does not exist.

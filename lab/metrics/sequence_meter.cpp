@@ -76,6 +76,7 @@ struct Meter {
                 const FloatImage& test);
   void flip(FrameFigures& figures, size_t i);
   std::optional<JitterResidue> residue(const std::vector<FrameFigures>& frames);
+  void colorVideoVdp(std::vector<FrameFigures>& frames);
 };
 
 FrameFigures Meter::frame(size_t i) {
@@ -171,6 +172,20 @@ std::optional<JitterResidue> Meter::residue(const std::vector<FrameFigures>& fra
   return jitterResidue(differences, at_rest, truth.frame_rate);
 }
 
+void Meter::colorVideoVdp(std::vector<FrameFigures>& frames) {
+  const ColorVideoVdp* vdp = options.color_video_vdp;
+  if (vdp == nullptr || images.empty()) return;
+  if (std::min(images[0].width, images[0].height) < kLeastVdpSide_px) return;
+  const std::vector<double> quality = vdp->videoQuality(
+      images.size(), truth.frame_rate,
+      [&](size_t n) { return tonemappedImage(truth.frames[n].reference); },
+      [&](size_t n) { return tonemappedImage(images[n]); });
+  for (size_t i = 0; i < frames.size(); ++i) {
+    frames[i].cvvdp_quality = quality[i];
+    frames[i].jod = jodFromQuality(quality[i]);
+  }
+}
+
 std::optional<Convergence> convergenceOf(const SequenceTruth& truth,
                                          const std::vector<FrameFigures>& frames) {
   std::vector<double> psnr_db;
@@ -206,6 +221,9 @@ SequenceFigures measureSequence(const SequenceTruth& truth, const std::vector<Fl
   SequenceFigures figures;
   figures.frames.resize(images.size());
   onWorkers(images.size(), [&](size_t i) { figures.frames[i] = meter.frame(i); });
+  if (options.metrics.has(Metric::kColorVideoVdp)) {
+    meter.times.measureAlone(Metric::kColorVideoVdp, [&] { meter.colorVideoVdp(figures.frames); });
+  }
   figures.mean = meanFigures(figures.frames, [](const FrameFigures&) { return true; });
   figures.still = meanFigures(figures.frames, [](const FrameFigures& f) { return f.still; });
   figures.moving = meanFigures(figures.frames, [](const FrameFigures& f) { return !f.still; });

@@ -15,6 +15,7 @@
 
 #include "lab/float_image.h"
 #include "lab/metrics/convergence.h"
+#include "lab/metrics/cvvdp/color_video_vdp.h"
 #include "lab/metrics/jitter_residue.h"
 #include "lab/metrics/metric_set.h"
 #include "lab/metrics/sequence_truth.h"
@@ -104,6 +105,8 @@ using ErrorMapHandler = std::function<void(size_t frame, const FloatImage& error
 
 struct MeterOptions {
   MetricSet metrics = MetricSet::usual();
+  // What Metric::kColorVideoVdp needs; without it `jod` stays no number.
+  const ColorVideoVdp* color_video_vdp = nullptr;
   ErrorMapHandler on_error_map = {};  // called where Metric::kFlip30 is measured
 };
 

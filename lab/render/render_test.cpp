@@ -1,12 +1,14 @@
 // SPDX-License-Identifier: MIT
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <fstream>
 #include <random>
 
 #include "lab/capture/output_file.h"
 #include "lab/capture/temporary_directory.h"
+#include "lab/metrics/disocclusion.h"
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/sharpness.h"
 #include "lab/render/reference_file.h"
@@ -101,6 +103,32 @@ TEST_F(Render, MotionSpansSeveralFrames) {
     EXPECT_GT(std::abs(one.at(x, 20)[0]), 0.05f);
     EXPECT_NEAR(four.at(x, 20)[0], 4.0f * one.at(x, 20)[0], 0.05f * std::abs(four.at(x, 20)[0]));
   }
+}
+
+// What each pixel says of the frame before is what the frame before says of itself: on a wall that
+// a camera passes, nothing is ever uncovered and the depths agree.
+TEST_F(Render, GeometryAgreesWithTheFrameBefore) {
+  SceneSource source(device, parseSceneRun("brick/pan"), optionsOf({96, 54}));
+  AgeTracker tracker;
+  FrameGeometry before = source.geometry(4);
+  EXPECT_FALSE(before.reset);
+  before.reset = true;
+  tracker.next(before);
+  const FrameGeometry now = source.geometry(5);
+  const Ages ages = tracker.next(now);
+  size_t followed = 0;
+  for (size_t i = 0; i < ages.size(); ++i) {
+    EXPECT_NE(ages[i], 1) << i;
+    if (!hasPreviousSurface(ages[i])) continue;
+    ++followed;
+    const float x = static_cast<float>(i % 96) + now.motion_px.texels[2 * i];
+    const float y = static_cast<float>(i / 96) + now.motion_px.texels[2 * i + 1];
+    const auto px = static_cast<uint32_t>(std::clamp(std::lround(x), 0L, 95L));
+    const auto py = static_cast<uint32_t>(std::clamp(std::lround(y), 0L, 53L));
+    EXPECT_NEAR(*before.view_depth.at(px, py) / now.previous_view_depth.texels[i], 1.0f, 0.02f);
+  }
+  EXPECT_GT(followed, ages.size() / 2);
+  EXPECT_NE(now.motion_px.texels[0], 0.0f);
 }
 
 TEST_F(Render, JitterMovesContentByItself) {

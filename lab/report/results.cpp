@@ -99,6 +99,8 @@ OrderedJson resultsJson(const Results& results) {
   json["display"] = "x/(1+x), power 1/2.2";
   json["flip_pixels_per_degree"] = {{"flip", kFlipPixelsPerDegree},
                                     {"flip30", kFlipNearPixelsPerDegree}};
+  json["jod_display"] = {{"name", kVdpStandard4k.name},
+                         {"pixels_per_degree", kVdpStandard4k.pixels_per_degree}};
   json["warm_up_frames"] = kWarmUpFrames;
   json["runs"] = OrderedJson::array();
   for (const RunResult& run : results.runs) json["runs"].push_back(runJson(run));

@@ -7,7 +7,10 @@ const metrics = [
   { key: "flip", name: "FLIP", unit: "67 px/deg", decimals: 4, better: -1 },
   { key: "flip30", name: "FLIP30", unit: "30 px/deg", decimals: 4, better: -1 },
   { key: "tpsnr", name: "tPSNR", unit: "dB", decimals: 2, better: 1 },
+  { key: "flicker", name: "flicker", unit: "", decimals: 4, better: -1 },
+  { key: "disoccluded", name: "disoccluded", unit: "dB", decimals: 2, better: 1 },
   { key: "sharpness", name: "sharpness", unit: "", decimals: 3, better: 0 },
+  { key: "jod", name: "JOD", unit: "", decimals: 3, better: 1 },
 ];
 const colors = d3.scale.category10();
 const results = data.results;
@@ -32,21 +35,30 @@ function drawTable() {
   const columns = [];
   for (const m of metrics) {
     columns.push({ ...m, value: (run) => (run.mean ? run.mean[m.key] : null) });
-    if (m.key !== "psnr") continue;
+    if (m.key === "flicker") {
+      columns.push({ name: "residue", unit: "", decimals: 4, better: -1,
+                     value: (run) => (run.residue ? run.residue.sigma_mean : null) });
+    }
+    if (m.key !== "psnr" || !runsHere().some((run) => run.still && run.moving)) continue;
     for (const part of ["still", "moving"]) {
       columns.push({ ...m, name: part, value: (run) => (run[part] ? run[part].psnr : null) });
     }
   }
+  columns.push({ name: "settles", unit: "frames", decimals: 0, better: 0,
+                 value: (run) => (run.convergence ? run.convergence.frames : null) });
   columns.push({ name: "resolve", unit: "ms", decimals: 2, better: 0,
                  value: (run) => run.cost.gpu_ms.median });
   columns.push({ name: "history", unit: "MiB", decimals: 2, better: 0,
                  value: (run) => run.cost.history_bytes / 1048576 });
+  // A figure that none of these runs has takes no room.
+  const has = (c) => runsHere().some((run) => typeof c.value(run) === "number");
+  const shownColumns = columns.filter(has);
   const table = byId("table");
   table.textContent = "";
   const root = element(table, "table");
   const head = element(element(root, "thead"), "tr");
   element(head, "th", "technique");
-  for (const c of columns) element(head, "th", c.name + (c.unit ? ` (${c.unit})` : ""));
+  for (const c of shownColumns) element(element(head, "th", c.name), "small", c.unit);
   const body = element(root, "tbody");
   const runs = runsHere();
   for (const run of runs) {
@@ -55,13 +67,34 @@ function drawTable() {
     element(name, "span", undefined, "swatch").style.background = color(run);
     name.appendChild(document.createTextNode(run.technique));
     name.title = JSON.stringify(run.settings);
-    for (const c of columns) {
+    for (const c of shownColumns) {
       const value = c.value(run);
       const all = runs.map(c.value).filter((v) => typeof v === "number");
       const best = c.better !== 0 && runs.length > 1 && typeof value === "number" &&
         all.every((v) => v * c.better <= value * c.better);
       element(row, "td", shown(value, c.decimals), best ? "best" : "");
     }
+  }
+}
+
+// Error by frames since something in front moved away; nothing where nothing did.
+function drawAges() {
+  const section = byId("ages");
+  const runs = runsHere().filter((run) => run.ages.length > 0);
+  section.textContent = "";
+  if (runs.length === 0) return;
+  element(section, "h2", "PSNR by frames since disocclusion (dB)");
+  const root = element(section, "table");
+  const head = element(element(root, "thead"), "tr");
+  element(head, "th", "technique");
+  for (const a of runs[0].ages) element(head, "th", `${a.age}`).title = `${a.pixels} pixels`;
+  const body = element(root, "tbody");
+  for (const run of runs) {
+    const row = element(body, "tr");
+    const name = element(row, "td");
+    element(name, "span", undefined, "swatch").style.background = color(run);
+    name.appendChild(document.createTextNode(run.technique));
+    for (const a of run.ages) element(row, "td", shown(a.psnr, 2));
   }
 }
 
@@ -103,7 +136,9 @@ function drawPlot() {
 }
 
 function fillMetrics() {
-  for (const m of metrics) {
+  const measured = (m) =>
+    results.runs.some((run) => run.frames.some((f) => typeof f[m.key] === "number"));
+  for (const m of metrics.filter(measured)) {
     const button = element(byId("metrics"), "button", m.name);
     button.type = "button";
     button.onclick = () => {
@@ -119,6 +154,7 @@ function showSource(name) {
   source = name;
   comparer.setSource(data.images[source] || {});
   drawTable();
+  drawAges();
   drawPlot();
 }
 

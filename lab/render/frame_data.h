@@ -26,11 +26,16 @@ LAB_CONST kMaterialChart = 0u;
 LAB_CONST kMaterialBrick = 1u;
 LAB_CONST kMaterialWood = 2u;
 LAB_CONST kMaterialMarble = 3u;
+LAB_CONST kMaterialCells = 4u;
+LAB_CONST kMaterialGlazed = 5u;
+LAB_CONST kMaterialStone = 6u;
+LAB_CONST kMaterialRust = 7u;
 
 LAB_CONST kMaxLights = 8u;
 LAB_CONST kLightPoint = 0u;
 LAB_CONST kLightCone = 1u;
 LAB_CONST kLightSun = 2u;
+LAB_CONST kLightGobo = 3u;  // a cone behind a mask that turns
 
 // Layers of light: what a pass shows of the scene's light is a mask of these.
 LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and the ambient light
@@ -64,9 +69,9 @@ struct GpuMaterial {
 };
 
 struct GpuLight {
-  vec4 position_world;   // xyz (m); not of a sun
+  vec4 position_world;   // xyz (m); not of a sun. Of a gobo, w: cosine of the mask's turn
   vec4 color;            // rgb: radiant intensity over pi, so that a white wall 1 m away shows it;
-                         // of a sun: what a white wall that faces it shows
+                         // of a sun: what a white wall that faces it shows. Of a gobo, w: sine
   vec4 direction_world;  // xyz: unit, the way the light goes (cone, sun)
   vec2 cone_cosines;     // of the half angles: full light inside the first, none outside the second
   uint kind;

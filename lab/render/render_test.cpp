@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstring>
 #include <fstream>
 #include <random>
 
@@ -129,6 +130,67 @@ TEST_F(Render, GeometryAgreesWithTheFrameBefore) {
   }
   EXPECT_GT(followed, ages.size() / 2);
   EXPECT_NE(now.motion_px.texels[0], 0.0f);
+}
+
+// Motion of articulated parts against where their own transforms put the point, in double.
+TEST_F(Render, MotionOfArticulatedPartsIsThatOfTheirTransforms) {
+  const VkExtent2D extent{160, 90};
+  for (const char* run : {"horse/gallop", "indoor/fly"}) {
+    Renderer renderer(device, parseSceneRun(run), extent, 60.0);
+    renderer.setFrame(10, 0.0f);
+    device.submitAndWait([&](VkCommandBuffer commands) {
+      renderer.recordTransform(commands, 1);
+      renderer.recordVisibility(commands, eq::vec2(0.0f, 0.0f));
+      renderer.recordMotion(commands, eq::vec2(0.0f, 0.0f), 1);
+    });
+    const FloatImage motion = download(device, renderer.motion());
+    const FloatImage depth = download(device, renderer.depth());
+    const RepriseCamera now = renderer.camera();
+    renderer.setFrame(9, 0.0f);
+    const RepriseCamera then = renderer.camera();
+    const auto matrixOf = [](const RepriseCamera& camera) {
+      glm::mat4 view;
+      glm::mat4 projection;
+      std::memcpy(&view, camera.view, sizeof(view));
+      std::memcpy(&projection, camera.projection, sizeof(projection));
+      return glm::dmat4(projection) * glm::dmat4(view);
+    };
+    const glm::dmat4 world_from_clip = glm::inverse(matrixOf(now));
+    const glm::dmat4 clip_then = matrixOf(then);
+    const Scene& scene = renderer.scene();
+    const auto instances = static_cast<uint32_t>(scene.geometry().instances.size());
+    // Each pixel's motion is that of one of the instances, and moving ones are among them.
+    uint32_t moving = 0;
+    uint32_t unexplained = 0;
+    for (uint32_t y = 2; y < extent.height; y += 5) {
+      for (uint32_t x = 2; x < extent.width; x += 5) {
+        if (depth.at(x, y)[0] <= 0.0f) continue;
+        const glm::dvec4 clip((x + 0.5) / extent.width * 2.0 - 1.0,
+                              (y + 0.5) / extent.height * 2.0 - 1.0, depth.at(x, y)[0], 1.0);
+        glm::dvec4 world = world_from_clip * clip;
+        world /= world.w;
+        double best = 1e9;
+        bool best_moves = false;
+        for (uint32_t i = 0; i < instances; ++i) {
+          const glm::dmat4 here(scene.transform(i, 10.0 / 60.0));
+          const glm::dmat4 before(scene.transform(i, 9.0 / 60.0));
+          glm::dvec4 was = clip_then * (before * (glm::inverse(here) * world));
+          was /= was.w;
+          const double px = (was.x * 0.5 + 0.5) * extent.width - (x + 0.5);
+          const double py = (was.y * 0.5 + 0.5) * extent.height - (y + 0.5);
+          const double error = std::hypot(px - motion.at(x, y)[0], py - motion.at(x, y)[1]);
+          if (error < best) {
+            best = error;
+            best_moves = here != before;
+          }
+        }
+        unexplained += best < 0.02 ? 0 : 1;
+        moving += best_moves ? 1 : 0;
+      }
+    }
+    EXPECT_EQ(unexplained, 0u) << run;
+    EXPECT_GT(moving, 10u) << run;
+  }
 }
 
 TEST_F(Render, JitterMovesContentByItself) {

@@ -39,7 +39,7 @@ class Horse final : public Scene {
     }
     const auto floor = static_cast<uint32_t>(geometry_.materials.size());
     geometry_.materials.push_back(
-        {.parameters = {kTile_m, 0.0f, 0.0f, 0.0f}, .kind = kMaterialMarble});
+        {.parameters = {kTile_m, 0.035f, 14.0f, 0.0f}, .kind = kMaterialMarble});
     appendWall(geometry_, kFloorLength_m, kFloorWidth_m, 96, 36, floor);
   }
 

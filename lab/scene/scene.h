@@ -71,6 +71,10 @@ GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color);
 GpuLight coneLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
                    glm::vec3 color);
 
+// A cone behind a mask turned by `turn` radians about its axis; in kLightLayerDeferred.
+GpuLight goboLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
+                   glm::vec3 color, float turn);
+
 class Scene {
  public:
   virtual ~Scene() = default;

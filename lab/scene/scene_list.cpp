@@ -14,12 +14,12 @@ namespace reprise::lab {
 SceneInfo brickScene();
 SceneInfo chartScene();
 SceneInfo horseScene();
+SceneInfo indoorScene();
+SceneInfo teapotScene();
 
 const std::vector<SceneInfo>& sceneList() {
   static const std::vector<SceneInfo> list = {
-      chartScene(),
-      brickScene(),
-      horseScene(),
+      chartScene(), brickScene(), horseScene(), teapotScene(), indoorScene(),
   };
   return list;
 }
@@ -110,6 +110,16 @@ GpuLight coneLight(glm::vec3 position_world, glm::vec3 towards_world, float inne
   light.direction_world = glm::vec4(glm::normalize(towards_world), 0.0f);
   light.cone_cosines = glm::vec2(std::cos(inner), std::cos(outer));
   light.kind = kLightCone;
+  return light;
+}
+
+GpuLight goboLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
+                   glm::vec3 color, float turn) {
+  GpuLight light = coneLight(position_world, towards_world, inner, outer, color);
+  light.position_world.w = std::cos(turn);
+  light.color.w = std::sin(turn);
+  light.kind = kLightGobo;
+  light.layer = kLightLayerDeferred;
   return light;
 }
 

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <map>
 #include <stdexcept>
+
+#include "lab/scene/indoor/creature.h"
 
 namespace reprise::lab {
 namespace {
@@ -65,6 +69,56 @@ TEST(Scenes, GeometryIsWholeAndCamerasArePureFunctionsOfTime) {
       EXPECT_EQ(moves, camera.name != "still") << info.name << "/" << camera.name;
     }
   }
+}
+
+size_t triangleCount(const SceneInfo& info) {
+  return info.create()->geometry().indices.size() / 3;
+}
+
+TEST(Scenes, HoldTheTrianglesThatTheyClaim) {
+  const std::map<std::string, size_t> least = {
+      {"horse", 40000}, {"teapot", 25000}, {"indoor", 100001}};
+  for (const SceneInfo& info : sceneList()) {
+    const auto found = least.find(info.name);
+    if (found == least.end()) continue;
+    const size_t triangles = triangleCount(info);
+    EXPECT_GE(triangles, found->second) << info.name;
+    RecordProperty(info.name, static_cast<int>(triangles));
+  }
+}
+
+TEST(Creature, StandsOnItsFeetAndReachesThem) {
+  const Creature creature({0.1f, 0.0f, 0.4f}, 0.7f, 1.0f);
+  const auto pieces = static_cast<uint32_t>(creature.pieces().size());
+  for (int step = 0; step < 200; ++step) {
+    const double time_s = 0.017 * step;
+    int standing = 0;
+    for (uint32_t leg = 0; leg < 6; ++leg) {
+      const glm::vec3 foot = creature.foot(leg, time_s);
+      ASSERT_GT(foot.y, -1e-4f);
+      if (foot.y < 1e-4f) {
+        ++standing;
+        const glm::vec3 next = creature.foot(leg, time_s + 0.0005);
+        if (next.y < 1e-4f) {
+          EXPECT_LT(glm::distance(foot, next), 1e-4f) << leg;
+        }
+      }
+      // The tibia's tip is the foot: the leg is long enough for every step.
+      const glm::vec3 tip(creature.transform(pieces - 12 + 2 * leg + 1, time_s) *
+                          glm::vec4(0.0f, -0.42f, 0.0f, 1.0f));
+      EXPECT_LT(glm::distance(tip, foot), 1e-3f) << leg << " at " << time_s;
+    }
+    EXPECT_GE(standing, 3);
+  }
+}
+
+TEST(Lights, GoboIsALightOfTheDeferredLayer) {
+  const GpuLight light =
+      goboLight({1.0f, 2.0f, 3.0f}, {0.0f, -2.0f, 0.0f}, 0.2f, 0.3f, {1.0f, 1.0f, 1.0f}, 0.5f);
+  EXPECT_EQ(light.kind, kLightGobo);
+  EXPECT_EQ(light.layer, kLightLayerDeferred);
+  EXPECT_FLOAT_EQ(light.position_world.w, std::cos(0.5f));
+  EXPECT_FLOAT_EQ(light.color.w, std::sin(0.5f));
 }
 
 }  // namespace

@@ -13,6 +13,7 @@
 #include "lab/scene/mesh/box.h"
 #include "lab/scene/mesh/lathe.h"
 #include "lab/scene/mesh/loft.h"
+#include "lab/scene/mesh/utah_teapot.h"
 
 namespace reprise::lab {
 namespace {
@@ -157,6 +158,37 @@ TEST(Mesh, LoftBendsAndSwells) {
   float widest = 0.0f;
   for (const GpuVertex& vertex : mesh.vertices) widest = std::max(widest, vertex.position_u.z);
   EXPECT_NEAR(widest, 0.3f, 0.01f);
+}
+
+TEST(Mesh, UtahTeapot) {
+  EXPECT_EQ(utahTeapotPatches().size(), 32u);
+  const Mesh mesh = utahTeapotMesh(16, 1.0f);
+  expectGoodNormals(mesh);
+  glm::vec3 low(1e9f);
+  glm::vec3 high(-1e9f);
+  for (const GpuVertex& vertex : mesh.vertices) {
+    low = glm::min(low, glm::vec3(vertex.position_u));
+    high = glm::max(high, glm::vec3(vertex.position_u));
+  }
+  // Newell's pot with its bottom: 3.15 high, 4 wide, handle at -3, spout to about 3.43.
+  EXPECT_NEAR(high.y - low.y, 3.15f, 1e-3f);
+  EXPECT_NEAR(high.z, 2.0f, 0.02f);
+  EXPECT_NEAR(low.x, -2.99f, 0.02f);
+  EXPECT_NEAR(high.x, 3.43f, 0.03f);
+  // Open are only the rim's inside and the lid's edge (64 edges each), and both ends of the handle
+  // and of the spout (32 each): everywhere else patches join.
+  std::map<std::pair<Place, Place>, int> walked;
+  for (size_t k = 0; k < mesh.indices.size(); k += 3) {
+    for (size_t i = 0; i < 3; ++i) {
+      ++walked[{placeOf(mesh, mesh.indices[k + i]), placeOf(mesh, mesh.indices[k + (i + 1) % 3])}];
+    }
+  }
+  int open = 0;
+  for (const auto& [edge, count] : walked) {
+    EXPECT_EQ(count, 1);
+    open += walked.count({edge.second, edge.first}) == 0 ? 1 : 0;
+  }
+  EXPECT_EQ(open, 2 * 64 + 4 * 32);
 }
 
 TEST(Mesh, MirroringKeepsTheOutsideOut) {

@@ -56,15 +56,17 @@ vec3 brickAlbedo(vec2 uv, BrickCell cell, float footprint) {
   return clay * (0.55 + 0.5 * shade) * (0.7 + 0.45 * grain) * (0.8 + 0.3 * stain);
 }
 
-vec3 shadeBrick(SurfacePoint s) {
+Appearance brickAppearance(SurfacePoint s) {
   BrickCell cell = brickCell(s.uv);
   vec3 albedo = brickAlbedo(s.uv, cell, uvFootprint(s));
   float height = brickHeight(s.uv);
   vec2 slope = vec2(brickHeight(s.uv + vec2(kBumpStep_m, 0.0)) - height,
                     brickHeight(s.uv + vec2(0.0, kBumpStep_m)) - height) /
                kBumpStep_m;
-  // The wall lies in x and y: its tangents are the world's.
-  vec3 normal = normalize(s.normal_world - vec3(slope, 0.0));
+  // Walls are upright: v goes up.
+  const vec3 kUp = vec3(0.0, 1.0, 0.0);
+  vec3 along_u = normalize(cross(kUp, s.normal_world));
+  vec3 normal = normalize(s.normal_world - slope.x * along_u - slope.y * kUp);
 
   // Glazed bricks glisten, mortar hardly.
   bool mortar = cell.inside_m < 0.0;
@@ -72,7 +74,7 @@ vec3 shadeBrick(SurfacePoint s) {
   float reflectance = mortar ? 0.02 : 0.05;
   // Joints and pits see less of the sky.
   float open = clamp(height / 0.008, 0.25, 1.0);
-  return litSurface(s, normal, albedo, open, reflectance, gloss);
+  return Appearance(normal, albedo, open, reflectance, gloss, vec3(0.0));
 }
 
 #endif

@@ -8,6 +8,14 @@
 // Mask of kLightLayer...: which light the pass shows. Set once, before anything is shaded.
 uint shown_light_layers = kAllLightLayers;
 
+// A gobo's mask: a plate with round holes, seen from the lamp. `q`: 1 at the cone's edge.
+float goboMask(vec2 q) {
+  const float kHolesAcross = 2.6;
+  vec2 hole = fract(q * kHolesAcross) - 0.5;
+  // Edges as sharp as a lamp without lens throws them.
+  return 1.0 - smoothstep(0.34 * 0.34, 0.37 * 0.37, dot(hole, hole));
+}
+
 struct Arriving {
   vec3 to_light_world;  // unit
   vec3 color;           // what a white surface that faces the light shows
@@ -24,6 +32,17 @@ Arriving lightAt(uint i, vec3 position_world) {
   if (light.kind != kLightPoint) {
     float cosine = -dot(to_light, light.direction_world.xyz);
     color *= smoothstep(light.cone_cosines.y, light.cone_cosines.x, cosine);
+    if (light.kind == kLightGobo) {
+      // Across the beam: `side` and `up` turn with the plate, (cos, sin) in the spare components.
+      vec3 side = normalize(cross(light.direction_world.xyz, vec3(0.31, 0.17, 0.94)));
+      vec3 up = cross(side, light.direction_world.xyz);
+      vec2 at = -vec2(dot(to_light, side), dot(to_light, up)) / max(cosine, 1.0e-3);
+      at *= light.cone_cosines.y *
+            inversesqrt(max(1.0 - light.cone_cosines.y * light.cone_cosines.y, 1.0e-6));
+      float turn_cos = light.position_world.w;
+      float turn_sin = light.color.w;
+      color *= goboMask(vec2(turn_cos * at.x - turn_sin * at.y, turn_sin * at.x + turn_cos * at.y));
+    }
   }
   return Arriving(to_light, color);
 }
@@ -32,18 +51,26 @@ vec3 ambientLight() {
   return (shown_light_layers & kLightLayerMain) != 0u ? frame.ambient.rgb : vec3(0.0);
 }
 
-// Lambert and normalized Blinn-Phong under all lights. `open`: share of the ambient light that gets
-// here; `gloss`: exponent of the highlight; `reflectance`: of the highlight, all directions.
-vec3 litSurface(SurfacePoint s, vec3 normal_world, vec3 albedo, float open, float reflectance,
-                float gloss) {
-  vec3 color = albedo * ambientLight() * open;
+// What a material is at a point, before light falls on it.
+struct Appearance {
+  vec3 normal_world;  // unit
+  vec3 albedo;
+  float open;         // share of the ambient light that gets here
+  float reflectance;  // of the highlight, all directions
+  float gloss;        // exponent of the highlight
+  vec3 mirror;        // share of the room around that is reflected (room.glsl)
+};
+
+// Lambert and normalized Blinn-Phong under all lights.
+vec3 litSurface(SurfacePoint s, Appearance a) {
+  vec3 color = a.albedo * ambientLight() * a.open;
   for (uint i = 0u; i < frame.light_count; ++i) {
     Arriving light = lightAt(i, s.position_world);
     vec3 halfway = normalize(light.to_light_world + s.to_eye_world);
-    float specular =
-        reflectance * (gloss + 8.0) * 0.125 * pow(max(dot(normal_world, halfway), 0.0), gloss);
-    float facing = max(dot(normal_world, light.to_light_world), 0.0);
-    color += (albedo + specular) * light.color * facing;
+    float specular = a.reflectance * (a.gloss + 8.0) * 0.125 *
+                     pow(max(dot(a.normal_world, halfway), 0.0), a.gloss);
+    float facing = max(dot(a.normal_world, light.to_light_world), 0.0);
+    color += (a.albedo + specular) * light.color * facing;
   }
   return color;
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 // Polished checkered marble with veins; a floor: textured by world x and z (m).
-// parameters.x: side of a tile (m).
+// parameters.x: side of a tile (m), y: tilt of its waves (rad), z: waves a metre, w: share
+// mirrored.
 #ifndef REPRISE_LAB_MARBLE_GLSL
 #define REPRISE_LAB_MARBLE_GLSL
 
@@ -40,14 +41,15 @@ Marble checkeredMarble(vec2 at_m, float tile_m) {
   return Marble(mix(stone * cloud, ore, veins), 1.0);
 }
 
-vec3 shadeMarble(SurfacePoint s) {
+Appearance marbleAppearance(SurfacePoint s) {
   vec2 at_m = s.position_world.xz;
   Marble marble = checkeredMarble(at_m, s.parameters.x);
-  // Polished by hand: long low waves.
-  vec2 tilt = vec2(valueNoise(at_m * 14.0, 51u), valueNoise(at_m * 14.0, 52u)) - 0.5;
-  vec3 normal = normalize(s.normal_world + 0.035 * vec3(tilt.x, 0.0, tilt.y));
-  return litSurface(s, normal, marble.albedo, 0.5 + 0.5 * marble.polish, 0.06 * marble.polish,
-                    260.0);
+  // Polished by hand: low waves.
+  vec2 wave = at_m * s.parameters.z;
+  vec2 tilt = vec2(valueNoise(wave, 51u), valueNoise(wave, 52u)) - 0.5;
+  vec3 normal = normalize(s.normal_world + s.parameters.y * vec3(tilt.x, 0.0, tilt.y));
+  return Appearance(normal, marble.albedo, 0.5 + 0.5 * marble.polish, 0.06 * marble.polish, 260.0,
+                    vec3(s.parameters.w * marble.polish));
 }
 
 #endif

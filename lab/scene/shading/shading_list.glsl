@@ -4,8 +4,13 @@
 #define REPRISE_LAB_SHADING_LIST_GLSL
 
 #include "lab/scene/shading/brick.glsl"
+#include "lab/scene/shading/cells.glsl"
 #include "lab/scene/shading/chart.glsl"
+#include "lab/scene/shading/glazed.glsl"
 #include "lab/scene/shading/marble.glsl"
+#include "lab/scene/shading/room.glsl"
+#include "lab/scene/shading/rust.glsl"
+#include "lab/scene/shading/stone.glsl"
 #include "lab/scene/shading/wood.glsl"
 
 // Bit k: materials of kind k occur. CPU drivers run every branch that is compiled in.
@@ -15,12 +20,28 @@ bool isKind(uint kind, uint wanted) {
   return (kKinds & (1u << wanted)) != 0u && kind == wanted;
 }
 
+// Kinds that say what they are (Appearance) and share one evaluation of the lights, and those of
+// them that may mirror the room.
+const uint kLitKinds = (1u << kMaterialBrick) | (1u << kMaterialWood) | (1u << kMaterialMarble) |
+                       (1u << kMaterialCells) | (1u << kMaterialGlazed) | (1u << kMaterialStone) |
+                       (1u << kMaterialRust);
+const uint kRoomKinds = (1u << kMaterialGlazed) | (1u << kMaterialStone);
+
 vec3 shadeMaterial(uint kind, SurfacePoint s) {
   if (isKind(kind, kMaterialChart)) return shadeChart(s);
-  if (isKind(kind, kMaterialBrick)) return shadeBrick(s);
-  if (isKind(kind, kMaterialWood)) return shadeWood(s);
-  if (isKind(kind, kMaterialMarble)) return shadeMarble(s);
-  return vec3(0.0);
+  if ((kKinds & kLitKinds) == 0u) return vec3(0.0);
+
+  Appearance a = Appearance(s.normal_world, vec3(0.0), 0.0, 0.0, 1.0, vec3(0.0));
+  if (isKind(kind, kMaterialBrick)) a = brickAppearance(s);
+  if (isKind(kind, kMaterialWood)) a = woodAppearance(s);
+  if (isKind(kind, kMaterialMarble)) a = marbleAppearance(s);
+  if (isKind(kind, kMaterialCells)) a = cellsAppearance(s);
+  if (isKind(kind, kMaterialGlazed)) a = glazedAppearance(s);
+  if (isKind(kind, kMaterialStone)) a = stoneAppearance(s);
+  if (isKind(kind, kMaterialRust)) a = rustAppearance(s);
+  vec3 color = litSurface(s, a);
+  if ((kKinds & kRoomKinds) != 0u) color += a.mirror * roomMirrored(s, a.normal_world);
+  return color;
 }
 
 #endif

@@ -28,7 +28,7 @@ float woodHeight(vec2 grain) {
   return 0.0007 * grain.x + 0.0007 * grain.y;
 }
 
-vec3 shadeWood(SurfacePoint s) {
+Appearance woodAppearance(SurfacePoint s) {
   vec3 p = positionObject(s);
   // z along the trunk.
   bool along_x = s.parameters.w < 0.5;
@@ -46,7 +46,7 @@ vec3 shadeWood(SurfacePoint s) {
   float pores = smoothstep(0.70, 0.78, valueNoise(p * vec3(260.0, 260.0, 14.0), 35u));
   vec3 albedo = s.parameters.rgb * mix(vec3(1.25, 1.2, 1.1), vec3(0.42, 0.33, 0.26), grain.x);
   albedo *= (0.72 + 0.5 * grain.y) * (1.0 - 0.45 * pores);
-  return litSurface(s, bumpedNormal(s, gradient), albedo, 1.0, 0.05, 70.0);
+  return Appearance(bumpedNormal(s, gradient), albedo, 1.0, 0.05, 70.0, vec3(0.0));
 }
 
 #endif

@@ -26,6 +26,15 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_flag("--defer-lights", defer_lights,
                 "scenes: lights of the deferred layer are kept from the technique, shaded at each "
                 "pixel's centre in every frame, and added to its result");
+  verb.add_option("--texture-filter", texture_filter,
+                  "scenes: aniso16, trilinear, or none (no mip levels, bilinear)")
+      ->check(CLI::IsMember({"aniso16", "trilinear", "none"}))
+      ->capture_default_str();
+  verb.add_option("--spp", samples_a_pixel,
+                  "scenes: samples a pixel about the jitter, each with visibility and shading; the "
+                  "technique gets their mean")
+      ->check(CLI::IsMember({1u, 4u}))
+      ->capture_default_str();
   if (!with_reference) return;
   verb.add_option("--samples", reference_samples, "reference samples a pixel, even")
       ->check(CLI::Range(2u, 65536u))
@@ -52,6 +61,10 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.switches.unjitter_textures = unjitter_textures;
   options.switches.mip_bias = mip_bias;
   options.switches.defer_lights = defer_lights;
+  options.switches.samples = samples_a_pixel;
+  options.switches.texture_filter = texture_filter == "none"        ? lab::TextureFilter::kNone
+                                    : texture_filter == "trilinear" ? lab::TextureFilter::kTrilinear
+                                                                    : lab::TextureFilter::kAniso16;
   options.reference.samples = reference_samples;
   options.reference.filter =
       reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;

@@ -22,6 +22,8 @@ struct SceneFlags {
   bool unjitter_textures = false;
   bool defer_lights = false;
   float mip_bias = 0.0f;
+  std::string texture_filter = "aniso16";
+  uint32_t samples_a_pixel = 1;
 
   void addTo(CLI::App& verb, bool with_reference);
   lab::SceneSourceOptions options() const;

@@ -30,6 +30,9 @@ LAB_CONST kMaterialCells = 4u;
 LAB_CONST kMaterialGlazed = 5u;
 LAB_CONST kMaterialStone = 6u;
 LAB_CONST kMaterialRust = 7u;
+LAB_CONST kMaterialTextured = 16u;
+LAB_CONST kMaterialLeaf = 17u;
+LAB_CONST kMaterialHangar = 18u;
 
 LAB_CONST kMaxLights = 8u;
 LAB_CONST kLightPoint = 0u;
@@ -42,9 +45,14 @@ LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and th
 LAB_CONST kLightLayerDeferred = 2u;  // shaded in every frame and added after the resolve
 LAB_CONST kAllLightLayers = 3u;
 
+// Textures lie in arrays by size class (textures.glsl), at most as many as this.
+LAB_CONST kMaxTextureClasses = 8u;
+
 // Bindings of passes that shade: 0 to 7 are the scene (scene_buffers.glsl, shade_triangle.glsl),
-// a pass's own begin here.
-LAB_CONST kFirstPassBinding = 8u;
+// then the sun's shadow map, the textures' sampler and arrays; a pass's own begin after them.
+LAB_CONST kShadowMapBinding = 8u;
+LAB_CONST kShadeSamplerBinding = 9u;
+LAB_CONST kFirstPassBinding = 18u;
 
 // In an instance's space, or, after the transform pass, in world space (m).
 struct GpuVertex {
@@ -60,19 +68,34 @@ struct GpuTriangle {
   uint material;
 };
 
+// Textures: 0 is none. Scenes give the number that addImage returned; on the GPU it is a class and
+// a layer (Textures::reference).
 struct GpuMaterial {
   vec4 parameters;  // meaning by kind
+  vec4 emission;    // rgb: linear light given off; w: meaning by kind
   uint kind;
-  uint padding_0;
-  uint padding_1;
-  uint padding_2;
+  uint color_texture;     // rgb: base colour, a: coverage
+  uint normal_texture;    // tangent space, xyz * 2 - 1
+  uint surface_texture;   // g: roughness, b: metalness
+  uint emission_texture;  // rgb: factor of `emission`
+  float alpha_cutoff;     // above 0: holes where the colour texture's alpha is below it
+  float normal_scale;     // of the normal texture's x and y
+  uint padding;
+};
+
+// How a vertex follows the wind, a function of time and wind alone (sway.glsl). All zero: stiff.
+struct GpuSway {
+  vec4
+      pivot_angle;  // xyz: a point of the axis it turns about, instance's space; w: amplitude (rad)
+  vec4 axis_phase;  // xyz: unit direction of that axis; w: phase of the turn (rad)
+  vec4 push;        // m along the wind in a wind of 1: x: steady lean, y: swing; z: its phase (rad)
 };
 
 struct GpuLight {
   vec4 position_world;   // xyz (m); not of a sun. Of a gobo, w: cosine of the mask's turn
   vec4 color;            // rgb: radiant intensity over pi, so that a white wall 1 m away shows it;
                          // of a sun: what a white wall that faces it shows. Of a gobo, w: sine
-  vec4 direction_world;  // xyz: unit, the way the light goes (cone, sun)
+  vec4 direction_world;  // xyz: unit, the way the light goes (cone, sun); w: 1: casts a shadow
   vec2 cone_cosines;     // of the half angles: full light inside the first, none outside the second
   uint kind;
   uint layer;
@@ -82,6 +105,8 @@ struct GpuLight {
 // their own, [a * instance_count + instance].
 struct GpuFrame {
   mat4 view_projection[9];  // to Vulkan clip space, reversed infinite depth, no jitter
+  mat4 shadow_from_world;   // to the shadow map's clip space: depth grows along the light, no w
+  vec4 wind[9];             // xyz: direction and strength in the world, w: time (s)
   vec4 eye_world;           // xyz
   vec4 ambient;             // rgb: what a white surface shows without any light
   GpuLight lights[8];       // kMaxLights
@@ -90,15 +115,15 @@ struct GpuFrame {
   float mip_bias;
   float time_s;
   uint light_count;
-  uint padding_0;
-  uint padding_1;
+  uint shadow_light;  // the sun that has the shadow map; kMaxLights: none
+  float shadow_bias;  // in the map's depth
 };
 
 // Push constants of the passes.
 struct VisibilityConstants {
   vec2 jitter_px;
   uint instance;
-  uint padding;
+  uint material;
 };
 
 struct ShadeConstants {
@@ -134,9 +159,11 @@ struct FinishConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(GpuVertex) == 32);
-static_assert(sizeof(GpuMaterial) == 32);
+static_assert(sizeof(GpuMaterial) == 64);
+static_assert(sizeof(GpuSway) == 48);
 static_assert(sizeof(GpuLight) == 64);
-static_assert(sizeof(GpuFrame) == 9 * 64 + 32 + kMaxLights * sizeof(GpuLight) + 32);
+static_assert(sizeof(GpuFrame) == 10 * 64 + 9 * 16 + 32 + kMaxLights * sizeof(GpuLight) + 32);
+static_assert(kFirstPassBinding == kShadeSamplerBinding + 1 + kMaxTextureClasses);
 }  // namespace reprise::lab
 #endif
 

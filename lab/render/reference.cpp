@@ -132,8 +132,10 @@ FloatImage ReferenceStore::reference(uint32_t index) {
       }
       device_.submitAndWait([&](VkCommandBuffer commands) {
         renderer_.recordTransform(commands, 0);
+        renderer_.recordShadows(commands);
         renderer_.recordClearSum(commands);
-        renderer_.recordAccumulate(commands, jitters_px, {}, nullptr);
+        renderer_.recordAccumulate(commands, jitters_px, {.light_layers = kAllLightLayers},
+                                   nullptr);
       });
       const FloatImage part = download(device_, renderer_.sum());
       FloatImage& sum = sums.halves[half];

@@ -14,6 +14,12 @@ constexpr uint32_t kVisibilityVertexShader[] = {
 constexpr uint32_t kVisibilityFragmentShader[] = {
 #include "visibility.frag.inc"
 };
+constexpr uint32_t kVisibilityTestedShader[] = {
+#include "visibility_tested.frag.inc"
+};
+constexpr uint32_t kHolesShader[] = {
+#include "holes.frag.inc"
+};
 constexpr uint32_t kTransformShader[] = {
 #include "transform.comp.inc"
 };
@@ -55,13 +61,15 @@ glm::mat4 projection(float vertical_fov, float aspect, float near_plane) {
 
 }  // namespace
 
-Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate)
+Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate,
+                   const RenderSwitches& switches)
     : device_(device),
       scene_(run.scene->create()),
       run_(run),
       extent_(extent),
       frame_rate_(frame_rate),
-      buffers_(device, *scene_),
+      buffers_(device, *scene_, switches.texture_filter),
+      shadow_map_(device, *scene_, buffers_),
       visible_(device, {.format = VK_FORMAT_R32G32_UINT, .extent = extent, .render_target = true}),
       depth_(device, {.format = VK_FORMAT_D32_SFLOAT, .extent = extent, .render_target = true}),
       motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}),
@@ -71,7 +79,9 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
 }
 
 std::vector<uint32_t> Renderer::shadeSpecialization(bool accumulate) const {
-  return {buffers_.materialKinds(), accumulate ? 1u : 0u, buffers_.onlyKind()};
+  return {buffers_.materialKinds(),   accumulate ? 1u : 0u,
+          buffers_.onlyKind(),        buffers_.textures().classCount(),
+          shadow_map_.on() ? 1u : 0u, buffers_.textures().anisotropy()};
 }
 
 ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
@@ -84,17 +94,27 @@ ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) con
 }
 
 void Renderer::createPrograms(Device& device) {
-  visibility_program_ = GraphicsProgram(device, {.name = "visibility",
-                                                 .vertex_spirv = kVisibilityVertexShader,
-                                                 .fragment_spirv = kVisibilityFragmentShader,
-                                                 .bindings = SceneBuffers::visibilityTypes(),
-                                                 .push_bytes = sizeof(VisibilityConstants),
-                                                 .color_format = VK_FORMAT_R32G32_UINT});
-  transform_program_ = ComputeProgram(device, {.name = "transform",
-                                               .spirv = kTransformShader,
-                                               .bindings = SceneBuffers::transformTypes(),
-                                               .push_bytes = sizeof(TransformConstants),
-                                               .specialization = {}});
+  GraphicsProgramInfo visibility{.name = "visibility",
+                                 .vertex_spirv = kVisibilityVertexShader,
+                                 .fragment_spirv = kVisibilityFragmentShader,
+                                 .bindings = SceneBuffers::rasterTypes(),
+                                 .push_bytes = sizeof(VisibilityConstants),
+                                 .color_format = VK_FORMAT_R32G32_UINT,
+                                 .specialization = {}};
+  visibility_program_ = GraphicsProgram(device, visibility);
+  if (!buffers_.tested().empty()) {
+    visibility.name = "visibility, tested";
+    visibility.fragment_spirv = kVisibilityTestedShader;
+    visibility.bindings = SceneBuffers::testedTypes();
+    visibility.specialization = buffers_.rasterSpecialization(true);
+    tested_program_ = GraphicsProgram(device, visibility);
+  }
+  transform_program_ =
+      ComputeProgram(device, {.name = "transform",
+                              .spirv = kTransformShader,
+                              .bindings = SceneBuffers::transformTypes(),
+                              .push_bytes = sizeof(TransformConstants),
+                              .specialization = buffers_.transformSpecialization()});
   motion_program_ = ComputeProgram(
       device, {.name = "motion",
                .spirv = kMotionShader,
@@ -137,6 +157,7 @@ void Renderer::setFrame(double frame, float mip_bias) {
     std::memcpy(&view, camera.view, sizeof(view));
     std::memcpy(&proj, camera.projection, sizeof(proj));
     data.view_projection[age] = proj * view;
+    data.wind[age] = glm::vec4(scene_->wind_world(time_s), static_cast<float>(time_s));
     glm::mat4* transforms = buffers_.transforms(age);
     for (uint32_t i = 0; i < buffers_.instanceCount(); ++i) {
       transforms[i] = scene_->transform(i, time_s);
@@ -155,6 +176,8 @@ void Renderer::setFrame(double frame, float mip_bias) {
   data.mip_bias = mip_bias;
   data.time_s = static_cast<float>(now_s);
   buffers_.frame() = data;
+  shadow_map_.setFrame(buffers_.frame(), lights,
+                       glm::normalize(pose.target_world - pose.eye_world));
 }
 
 void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) const {
@@ -169,20 +192,26 @@ void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) c
 void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const {
   // Reversed depth: the far plane is 0.
   beginRendering(commands, &visible_, depth_, 0.0f);
-  drawScene(commands, visibility_program_, jitter_px);
+  drawScene(commands, visibility_program_, tested_program_, jitter_px);
   endRendering(commands);
   fullBarrier(commands);
 }
 
-void Renderer::drawScene(VkCommandBuffer commands, const GraphicsProgram& program,
-                         eq::vec2 jitter_px) const {
-  program.bind(commands);
+void Renderer::drawScene(VkCommandBuffer commands, const GraphicsProgram& opaque,
+                         const GraphicsProgram& tested, eq::vec2 jitter_px) const {
   const std::vector<Instance>& instances = scene_->geometry().instances;
-  for (uint32_t i = 0; i < instances.size(); ++i) {
-    program.push(commands, buffers_.visibilityBindings(),
-                 VisibilityConstants{{jitter_px.x, jitter_px.y}, i, 0});
-    vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
-  }
+  const auto draw = [&](const GraphicsProgram& program, const std::vector<uint32_t>& which,
+                        const std::vector<Bound>& bound) {
+    if (which.empty()) return;
+    program.bind(commands);
+    for (const uint32_t i : which) {
+      program.push(commands, bound,
+                   VisibilityConstants{{jitter_px.x, jitter_px.y}, i, instances[i].material});
+      vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
+    }
+  };
+  draw(opaque, buffers_.opaque(), buffers_.rasterBindings());
+  draw(tested, buffers_.tested(), buffers_.testedBindings());
 }
 
 void Renderer::prepareDepthSamples() {
@@ -191,17 +220,24 @@ void Renderer::prepareDepthSamples() {
                                    .extent = extent_,
                                    .render_target = true,
                                    .samples = VK_SAMPLE_COUNT_4_BIT});
-  depth_samples_program_ = GraphicsProgram(device_, {.name = "depth samples",
-                                                     .vertex_spirv = kVisibilityVertexShader,
-                                                     .fragment_spirv = {},
-                                                     .bindings = SceneBuffers::visibilityTypes(),
-                                                     .push_bytes = sizeof(VisibilityConstants),
-                                                     .samples = VK_SAMPLE_COUNT_4_BIT});
+  GraphicsProgramInfo info{.name = "depth samples",
+                           .vertex_spirv = kVisibilityVertexShader,
+                           .fragment_spirv = {},
+                           .bindings = SceneBuffers::rasterTypes(),
+                           .push_bytes = sizeof(VisibilityConstants),
+                           .samples = VK_SAMPLE_COUNT_4_BIT,
+                           .specialization = {}};
+  depth_samples_program_ = GraphicsProgram(device_, info);
+  if (buffers_.tested().empty()) return;
+  info.fragment_spirv = kHolesShader;
+  info.bindings = SceneBuffers::testedTypes();
+  info.specialization = buffers_.rasterSpecialization(true);
+  depth_samples_tested_program_ = GraphicsProgram(device_, info);
 }
 
 void Renderer::recordDepthSamples(VkCommandBuffer commands, eq::vec2 jitter_px) const {
   beginRendering(commands, nullptr, depth_samples_, 0.0f);
-  drawScene(commands, depth_samples_program_, jitter_px);
+  drawScene(commands, depth_samples_program_, depth_samples_tested_program_, jitter_px);
   endRendering(commands);
   fullBarrier(commands);
 }
@@ -255,7 +291,8 @@ void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests,
   fullBarrier(commands);
   serve_program_.dispatchIndirect(
       commands, requests,
-      followedBy(buffers_.shadingBindings(visible_), {stored(extra_), stored(requests)}),
+      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
+                 {stored(extra_), stored(requests)}),
       ServeConstants{light_layers});
   fullBarrier(commands);
 }
@@ -273,7 +310,8 @@ void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq
 void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
                                const Image& color, const ShadeConstants& constants) const {
   program.dispatch(commands, extent_,
-                   followedBy(buffers_.shadingBindings(visible_), {stored(color), stored(sum_)}),
+                   followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
+                              {stored(color), stored(sum_)}),
                    constants);
   fullBarrier(commands);
 }
@@ -301,7 +339,7 @@ void Renderer::recordClearSum(VkCommandBuffer commands) const {
 }
 
 void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
-                                const RenderSwitches& switches, Timestamps* timestamps) const {
+                                ShadeConstants constants, Timestamps* timestamps) const {
   for (const eq::vec2 jitter_px : jitters_px) {
     if (timestamps != nullptr) timestamps->start(commands, "visibility");
     recordVisibility(commands, jitter_px);
@@ -309,9 +347,7 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
       timestamps->stop(commands);
       timestamps->start(commands, "shade");
     }
-    const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
-                                   .unjitter = switches.unjitter_textures ? 1u : 0u,
-                                   .light_layers = kAllLightLayers};
+    constants.jitter_px = {jitter_px.x, jitter_px.y};
     recordShadeWith(commands, accumulate_program_, color_, constants);
     if (timestamps != nullptr) timestamps->stop(commands);
   }
@@ -328,7 +364,10 @@ std::vector<uint8_t> Renderer::contentBytes() const {
   buffers_.appendContent(bytes);
   append(bytes, kVisibilityVertexShader, std::size(kVisibilityVertexShader));
   append(bytes, kVisibilityFragmentShader, std::size(kVisibilityFragmentShader));
+  append(bytes, kVisibilityTestedShader, std::size(kVisibilityTestedShader));
+  append(bytes, kTransformShader, std::size(kTransformShader));
   append(bytes, kShadeShader, std::size(kShadeShader));
+  shadow_map_.appendContent(bytes);
   return bytes;
 }
 

@@ -14,6 +14,7 @@
 #include "lab/frame_inputs.h"
 #include "lab/render/frame_data.h"
 #include "lab/render/scene_buffers.h"
+#include "lab/render/shadow_map.h"
 #include "lab/scene/scene.h"
 #include "lab/vk/compute_program.h"
 #include "lab/vk/graphics_program.h"
@@ -25,11 +26,14 @@ struct RenderSwitches {
   bool unjitter_textures = false;  // shade at the pixel centre although visibility is jittered
   float mip_bias = 0.0f;           // levels, added to the plan's
   bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
+  TextureFilter texture_filter = TextureFilter::kAniso16;
+  uint32_t samples = 1;  // a pixel, each with its own visibility and shading: 1 or 4
 };
 
 class Renderer {
  public:
-  Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate);
+  Renderer(Device& device, const SceneRun& run, VkExtent2D extent, double frame_rate,
+           const RenderSwitches& switches = {});
 
   VkExtent2D extent() const { return extent_; }
   const Scene& scene() const { return *scene_; }
@@ -41,6 +45,9 @@ class Renderer {
 
   // Before every other pass of a frame: world space of all vertices, now and `frames_back` ago.
   void recordTransform(VkCommandBuffer commands, uint32_t frames_back) const;
+  // Then, before anything is shaded: what the sun sees. Nothing in scenes without shadows.
+  bool hasShadows() const { return shadow_map_.on(); }
+  void recordShadows(VkCommandBuffer commands) const { shadow_map_.record(commands); }
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
   void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
@@ -64,10 +71,11 @@ class Renderer {
   // prepareServe must have been called.
   void prepareServe();
   void recordServe(VkCommandBuffer commands, VkBuffer requests, uint32_t light_layers) const;
-  // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean.
+  // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean. All of
+  // `constants` but its jitter.
   void recordClearSum(VkCommandBuffer commands) const;
   void recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
-                        const RenderSwitches& switches, Timestamps* timestamps) const;
+                        ShadeConstants constants, Timestamps* timestamps) const;
   void recordMean(VkCommandBuffer commands, float scale) const;
 
   const Image& color() const { return color_; }    // RGBA16F
@@ -83,12 +91,14 @@ class Renderer {
   const Image& depthSamples() const { return depth_samples_; }  // D32, 4 samples
   const RepriseCamera& camera() const { return camera_; }
   float nearPlane() const { return near_plane_; }
+  const ShadowMap& shadowMap() const { return shadow_map_; }
+  const SceneBuffers& buffers() const { return buffers_; }
 
   // Surface evaluations since the last call; after the recorded work has finished.
   uint64_t takeEvaluations() { return buffers_.takeEvaluations(); }
 
   // Bytes that determine what setFrame's frame looks like, for content hashes: geometry,
-  // transforms, camera, lights and shaders.
+  // textures and their filter, transforms, wind, camera, lights, shadow map and shaders.
   std::vector<uint8_t> contentBytes() const;
 
  private:
@@ -100,8 +110,9 @@ class Renderer {
   std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
   void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program, const Image& color,
                        const ShadeConstants& constants) const;
-  void drawScene(VkCommandBuffer commands, const GraphicsProgram& program,
-                 eq::vec2 jitter_px) const;
+  // Opaque triangles first: they hide what would be tested in vain.
+  void drawScene(VkCommandBuffer commands, const GraphicsProgram& opaque,
+                 const GraphicsProgram& tested, eq::vec2 jitter_px) const;
 
   void recordMotionInto(VkCommandBuffer commands, const Image& image, eq::vec2 jitter_px,
                         uint32_t frames_back) const;
@@ -115,6 +126,7 @@ class Renderer {
   float near_plane_ = 0.1f;
 
   SceneBuffers buffers_;
+  ShadowMap shadow_map_;
   Image visible_;
   Image depth_;
   Image motion_;
@@ -128,6 +140,8 @@ class Renderer {
   std::array<Image, kMaxFramesBack> motion_back_;
   GraphicsProgram visibility_program_;
   GraphicsProgram depth_samples_program_;
+  GraphicsProgram depth_samples_tested_program_;
+  GraphicsProgram tested_program_;  // where the scene has holes
   ComputeProgram transform_program_;
   ComputeProgram motion_program_;
   ComputeProgram shade_program_;

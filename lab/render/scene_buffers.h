@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// A scene on the GPU: geometry and materials, uploaded once; transforms and the frame's block,
-// written for every frame. What each binding holds is declared in scene_buffers.glsl and
+// A scene on the GPU: geometry, materials and textures, uploaded once; transforms and the frame's
+// block, written for every frame. What each binding holds is declared in scene_buffers.glsl and
 // shade_triangle.glsl.
 #pragma once
 
@@ -9,14 +9,20 @@
 #include <vector>
 
 #include "lab/render/frame_data.h"
+#include "lab/render/textures.h"
 #include "lab/scene/scene.h"
 #include "lab/vk/bindings.h"
 
 namespace reprise::lab {
 
+struct Ball {
+  glm::vec3 center_world{0.0f};
+  float radius_m = 0.0f;
+};
+
 class SceneBuffers {
  public:
-  SceneBuffers(Device& device, const Scene& scene);
+  SceneBuffers(Device& device, const Scene& scene, TextureFilter filter);
 
   // The block of the current frame and the transforms of `age` frames back, one an instance.
   GpuFrame& frame() { return *static_cast<GpuFrame*>(frame_.mapped()); }
@@ -26,23 +32,39 @@ class SceneBuffers {
   uint32_t vertexCount() const { return vertex_count_; }
   uint32_t instanceCount() const { return instance_count_; }
 
-  // Of the transform pass, of the visibility pass.
+  // Instances without and with holes, to be drawn in this order.
+  const std::vector<uint32_t>& opaque() const { return opaque_; }
+  const std::vector<uint32_t>& tested() const { return tested_; }
+  // Around everything in the current frame, wherever the wind takes it.
+  Ball bounds() const;
+
+  // Of the transform pass.
   static std::vector<VkDescriptorType> transformTypes();
   std::vector<Bound> transformBindings() const;
-  static std::vector<VkDescriptorType> visibilityTypes();
-  std::vector<Bound> visibilityBindings() const;
+  std::vector<uint32_t> transformSpecialization() const { return {has_sways_ ? 1u : 0u}; }
+  // Of passes that draw triangles; of those that test them for holes.
+  static std::vector<VkDescriptorType> rasterTypes();
+  std::vector<Bound> rasterBindings() const;
+  static std::vector<VkDescriptorType> testedTypes();
+  std::vector<Bound> testedBindings() const;
+  // `biased`: holes are looked up with the frame's mip bias.
+  std::vector<uint32_t> rasterSpecialization(bool biased) const {
+    return {0, 0, 0, textures_.classCount(), 0, textures_.anisotropy(), biased ? 1u : 0u};
+  }
   // 0 to 3, of every compute pass that looks at surfaces.
   static std::vector<VkDescriptorType> surfaceTypes();
   std::vector<Bound> surfaceBindings(const Image& visible) const;
   // 0 to kFirstPassBinding - 1, of every pass that shades.
   static std::vector<VkDescriptorType> shadingTypes();
-  std::vector<Bound> shadingBindings(const Image& visible) const;
+  std::vector<Bound> shadingBindings(const Image& visible, const Image& shadow_map) const;
   // World positions as the transform pass left them of the frames before.
   const Buffer& previousWorld() const { return previous_world_; }
+  const Buffer& world() const { return world_; }
 
   // kKinds, and kOnlyKind of shade_triangle.glsl.
   uint32_t materialKinds() const { return material_kinds_; }
   uint32_t onlyKind() const { return only_kind_; }
+  const Textures& textures() const { return textures_; }
 
   // Surface evaluations since the last call; after the recorded work has finished.
   uint64_t takeEvaluations();
@@ -56,6 +78,12 @@ class SceneBuffers {
   uint32_t instance_count_;
   uint32_t material_kinds_ = 0;
   uint32_t only_kind_ = ~0u;
+  std::vector<uint32_t> opaque_;
+  std::vector<uint32_t> tested_;
+  std::vector<Ball> instance_bounds_;  // in each instance's space
+  float wind_reach_m_ = 0.0f;          // farthest that a wind of 1 moves a vertex
+  bool has_sways_;
+  Textures textures_;
   Buffer frame_;
   Buffer vertices_;
   Buffer indices_;
@@ -65,6 +93,7 @@ class SceneBuffers {
   Buffer world_;
   Buffer previous_world_;
   Buffer materials_;
+  Buffer sways_;
   Buffer counter_;
 };
 

@@ -2,19 +2,30 @@
 #include "lab/render/scene_source.h"
 
 #include <cstdio>
+#include <stdexcept>
 #include <string>
 #include <vector>
+
+#include "equations/jitter.h"
 
 namespace reprise::lab {
 namespace {
 
-// Centres of the cells of an n x n grid over the pixel, as jitters.
-std::vector<eq::vec2> stratifiedJitters(uint32_t n) {
+// Positions of a frame's samples, as jitters: `samples` (1 or 4, Vulkan's standard positions) about
+// the plan's jitter, or, with a grid of n x n, about the centre of each of its cells, n times
+// closer together.
+std::vector<eq::vec2> sampleJitters(eq::vec2 jitter_px, uint32_t n, uint32_t samples) {
   std::vector<eq::vec2> jitters_px;
+  const float cells = static_cast<float>(n);
   for (uint32_t y = 0; y < n; ++y) {
     for (uint32_t x = 0; x < n; ++x) {
-      jitters_px.emplace_back(0.5f - (static_cast<float>(x) + 0.5f) / static_cast<float>(n),
-                              0.5f - (static_cast<float>(y) + 0.5f) / static_cast<float>(n));
+      const eq::vec2 center = n == 1 ? jitter_px
+                                     : eq::vec2(0.5f - (static_cast<float>(x) + 0.5f) / cells,
+                                                0.5f - (static_cast<float>(y) + 0.5f) / cells);
+      for (uint32_t i = 0; i < samples; ++i) {
+        const eq::vec2 offset = samples == 1 ? eq::vec2(0.0f, 0.0f) : eq::rotatedGridOffset(i);
+        jitters_px.emplace_back(center.x - offset.x / cells, center.y - offset.y / cells);
+      }
     }
   }
   return jitters_px;
@@ -35,8 +46,11 @@ std::string describedFilter(const ReferenceOptions& reference) {
 SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options)
     : device_(device),
       options_(options),
-      renderer_(device, run, options.extent, options.frame_rate),
+      renderer_(device, run, options.extent, options.frame_rate, options.switches),
       references_(device, renderer_, options.reference) {
+  if (options.switches.samples != 1 && options.switches.samples != 4) {
+    throw std::invalid_argument("samples a pixel must be 1 or 4");
+  }
   info_ = {.name = run.name,
            .extent = options.extent,
            .frame_count = options.frames,
@@ -64,22 +78,32 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     if (timestamps_ != nullptr) timestamps_->stop(commands);
   };
   const eq::vec2 jitter_px(sampling.jitter_px[0], sampling.jitter_px[1]);
-  if (plan.grid > 1) {
-    span("transform", [&] { renderer_.recordTransform(commands, 1); });
+  // With a grid of samples there is nothing to amortize, and nothing to defer.
+  const bool defer = options_.switches.defer_lights && plan.grid <= 1;
+  const uint32_t amortized_layers = defer ? kLightLayerMain : kAllLightLayers;
+  const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
+  const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
+                                 .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
+                                 .offset_on = offset && plan.grid == 1 ? 1u : 0u,
+                                 .offset_sigma_px = sampling.shading_offset_sigma_px,
+                                 .offset_seed = sampling.shading_offset_seed,
+                                 .offset_quadrant = sampling.shading_offset_quadrant,
+                                 .light_layers = amortized_layers};
+  span("transform", [&] { renderer_.recordTransform(commands, 1); });
+  if (renderer_.hasShadows()) span("shadows", [&] { renderer_.recordShadows(commands); });
+  const std::vector<eq::vec2> jitters_px =
+      sampleJitters(jitter_px, plan.grid, options_.switches.samples);
+  const bool many = jitters_px.size() > 1;
+  if (many) {
     renderer_.recordClearSum(commands);
-    const std::vector<eq::vec2> jitters_px = stratifiedJitters(plan.grid);
-    renderer_.recordAccumulate(commands, jitters_px, options_.switches, timestamps_);
+    renderer_.recordAccumulate(commands, jitters_px, constants, timestamps_);
     span("mean",
          [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }
   // Depth and motion are those of the frame's one position also where colour has many.
-  span("transform", [&] { renderer_.recordTransform(commands, 1); });
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
   span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
 
-  // With many samples a pixel there is nothing to amortize, and nothing to defer.
-  const bool defer = options_.switches.defer_lights && plan.grid <= 1;
-  const uint32_t amortized_layers = defer ? kLightLayerMain : kAllLightLayers;
   FrameInputs inputs;
   inputs.index = index;
   inputs.extent = info_.extent;
@@ -105,17 +129,7 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     span("serve", [&] { renderer_.recordServe(commands, requests.buffer, amortized_layers); });
     inputs.extra = &renderer_.extra();
   }
-  if (plan.grid <= 1) {
-    const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
-    const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
-                                   .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
-                                   .offset_on = offset ? 1u : 0u,
-                                   .offset_sigma_px = sampling.shading_offset_sigma_px,
-                                   .offset_seed = sampling.shading_offset_seed,
-                                   .offset_quadrant = sampling.shading_offset_quadrant,
-                                   .light_layers = amortized_layers};
-    span("shade", [&] { renderer_.recordShade(commands, constants); });
-  }
+  if (!many) span("shade", [&] { renderer_.recordShade(commands, constants); });
   if (defer) {
     span("late light", [&] { renderer_.recordLate(commands, jitter_px); });
     inputs.late = &renderer_.late();

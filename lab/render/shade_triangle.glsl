@@ -18,6 +18,9 @@ layout(binding = 7, std430) readonly buffer Transforms {
   mat4 transforms[];
 };
 
+const uint kSamplerBinding = kShadeSamplerBinding;
+#include "lab/render/shadow.glsl"
+#include "lab/render/textures.glsl"
 #include "lab/scene/shading/shading_list.glsl"
 
 // The kind of a scene's only material; -1: several, looked up for each triangle.
@@ -59,6 +62,7 @@ SurfacePoint surfaceAt(VisibleTriangle seen, vec2 sample_px) {
   s.vertices = triangle.xyz;
   s.barycentrics = at.b;
   s.instance = seen.instance;
+  s.material = triangle.w;
   return s;
 }
 

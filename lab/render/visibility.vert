@@ -19,12 +19,14 @@ layout(push_constant) uniform Push {
 
 // The provoking vertex is a triangle's first, so that this is the triangle's number.
 layout(location = 0) flat out uint triangle;
+layout(location = 1) out vec2 uv;
 
 void main() {
-  vec3 position_world = world[indices[gl_VertexIndex]].position_u.xyz;
-  vec4 clip = frame.view_projection[0] * vec4(position_world, 1.0);
+  GpuVertex vertex = world[indices[gl_VertexIndex]];
+  vec4 clip = frame.view_projection[0] * vec4(vertex.position_u.xyz, 1.0);
   // Content moves by +jitter (reprise.h, sampling).
   clip.xy += 2.0 * push.jitter_px / frame.extent_px * clip.w;
   gl_Position = clip;
   triangle = uint(gl_VertexIndex) / 3u;
+  uv = vec2(vertex.position_u.w, vertex.normal_v.w);
 }

@@ -25,13 +25,34 @@ struct Instance {
   uint32_t material = 0;
 };
 
-// All triangles of a scene, as the GPU reads them.
+enum class ImageRole {
+  kColor,   // rgb in sRGB, a: coverage
+  kNormal,  // tangent-space normal, xyz * 0.5 + 0.5
+  kMask     // linear values
+};
+
+// RGBA8, rows from v = 0 on; repeats in u and v.
+struct SceneImage {
+  uint32_t width = 0;
+  uint32_t height = 0;
+  ImageRole role = ImageRole::kColor;
+  // Above 0: every mip level keeps the share of texels whose alpha is at least this.
+  float alpha_cutoff = 0.0f;
+  std::vector<uint8_t> rgba;
+};
+
+// All triangles of a scene, as the GPU reads them, and its images.
 struct Geometry {
   std::vector<GpuVertex> vertices;
   std::vector<uint32_t> indices;
   std::vector<Instance> instances;
   std::vector<GpuMaterial> materials;
+  std::vector<SceneImage> images;
+  std::vector<GpuSway> sways;  // a vertex each; vertices beyond its end are stiff
 };
+
+// Returns what a material's ..._texture names it by.
+uint32_t addImage(Geometry& geometry, SceneImage image);
 
 struct CameraPose {
   glm::vec3 eye_world{0.0f};
@@ -61,12 +82,15 @@ using CameraValues = std::map<std::string, double, std::less<>>;
 struct SceneLights {
   std::vector<GpuLight> lights;  // at most kMaxLights
   glm::vec3 ambient{0.0f};       // GpuFrame::ambient
+  // Shadows fall within a ball of this radius (m) that lies ahead of the camera; 0: everywhere.
+  float shadow_radius_m = 0.0f;
 };
 
 // A light that shines everywhere from a point (m); `color` as GpuLight has it.
 GpuLight pointLight(glm::vec3 position_world, glm::vec3 color);
-// One from far away; `towards_world` is the way it goes, of any length.
-GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color);
+// One from far away; `towards_world` is the way it goes, of any length. The first of a scene's suns
+// that casts a shadow at time 0 has the shadow map.
+GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color, bool casts_shadow = false);
 // Full light within `inner` (radians, half angle), none beyond `outer`.
 GpuLight coneLight(glm::vec3 position_world, glm::vec3 towards_world, float inner, float outer,
                    glm::vec3 color);
@@ -85,6 +109,8 @@ class Scene {
   virtual CameraPose camera(std::string_view name, const CameraValues& values, double time_s,
                             uint32_t height_px) const = 0;
   virtual SceneLights lights(double time_s) const = 0;
+  // Direction and strength of the wind that moves vertices with a GpuSway; 1 is a fresh breeze.
+  virtual glm::vec3 wind_world(double) const { return glm::vec3(0.0f); }
 };
 
 struct SceneInfo {

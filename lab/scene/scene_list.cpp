@@ -13,13 +13,16 @@ namespace reprise::lab {
 
 SceneInfo brickScene();
 SceneInfo chartScene();
+SceneInfo foliageScene();
+SceneInfo hangarScene();
 SceneInfo horseScene();
 SceneInfo indoorScene();
 SceneInfo teapotScene();
 
 const std::vector<SceneInfo>& sceneList() {
   static const std::vector<SceneInfo> list = {
-      chartScene(), brickScene(), horseScene(), teapotScene(), indoorScene(),
+      chartScene(),  brickScene(),   horseScene(),  teapotScene(),
+      indoorScene(), foliageScene(), hangarScene(),
   };
   return list;
 }
@@ -95,9 +98,9 @@ GpuLight pointLight(glm::vec3 position_world, glm::vec3 color) {
   return light;
 }
 
-GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color) {
+GpuLight sunLight(glm::vec3 towards_world, glm::vec3 color, bool casts_shadow) {
   GpuLight light{};
-  light.direction_world = glm::vec4(glm::normalize(towards_world), 0.0f);
+  light.direction_world = glm::vec4(glm::normalize(towards_world), casts_shadow ? 1.0f : 0.0f);
   light.color = glm::vec4(color, 0.0f);
   light.kind = kLightSun;
   light.layer = kLightLayerMain;
@@ -121,6 +124,11 @@ GpuLight goboLight(glm::vec3 position_world, glm::vec3 towards_world, float inne
   light.kind = kLightGobo;
   light.layer = kLightLayerDeferred;
   return light;
+}
+
+uint32_t addImage(Geometry& geometry, SceneImage image) {
+  geometry.images.push_back(std::move(image));
+  return static_cast<uint32_t>(geometry.images.size());
 }
 
 void appendWall(Geometry& geometry, float width_m, float height_m, uint32_t columns, uint32_t rows,

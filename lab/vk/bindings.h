@@ -24,6 +24,13 @@ inline Bound sampled(const Image& image) {
           {VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL},
           {}};
 }
+// A view and a sampler of their own, for `texture...` and `sampler` of a shader.
+inline Bound separateImage(VkImageView view) {
+  return {VK_DESCRIPTOR_TYPE_SAMPLED_IMAGE, {VK_NULL_HANDLE, view, VK_IMAGE_LAYOUT_GENERAL}, {}};
+}
+inline Bound separateSampler(VkSampler sampler) {
+  return {VK_DESCRIPTOR_TYPE_SAMPLER, {sampler, VK_NULL_HANDLE, VK_IMAGE_LAYOUT_UNDEFINED}, {}};
+}
 inline Bound stored(const Image& image) {
   return {VK_DESCRIPTOR_TYPE_STORAGE_IMAGE,
           {VK_NULL_HANDLE, image.view(), VK_IMAGE_LAYOUT_GENERAL},
@@ -46,6 +53,11 @@ inline Bound uniform(const Buffer& buffer) {
 template <typename T>
 std::vector<T> followedBy(std::vector<T> shared, std::initializer_list<T> own) {
   shared.insert(shared.end(), own);
+  return shared;
+}
+template <typename T>
+std::vector<T> followedBy(std::vector<T> shared, const std::vector<T>& own) {
+  shared.insert(shared.end(), own.begin(), own.end());
   return shared;
 }
 

@@ -64,11 +64,9 @@ Needed neededFeatures(VkPhysicalDevice device) {
   Needed needed{.features = library.features, .missing = ""};
   needed.features.geometryShader = VK_TRUE;  // gl_PrimitiveID in the visibility pass
   needed.features.shaderStorageImageWriteWithoutFormat = VK_TRUE;
-  needed.features.samplerAnisotropy = VK_TRUE;
   VkPhysicalDeviceFeatures offered{};
   vkGetPhysicalDeviceFeatures(device, &offered);
   if (!offered.geometryShader) needed.missing = "geometryShader";
-  if (!offered.samplerAnisotropy) needed.missing = "samplerAnisotropy";
   if (!offered.shaderStorageImageWriteWithoutFormat) {
     needed.missing = "shaderStorageImageWriteWithoutFormat";
   }

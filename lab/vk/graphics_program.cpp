@@ -11,10 +11,16 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
     : device_(&device),
       layout_(device, info.bindings, info.push_bytes,
               VK_SHADER_STAGE_VERTEX_BIT | VK_SHADER_STAGE_FRAGMENT_BIT) {
+  std::vector<VkSpecializationMapEntry> entries(info.specialization.size());
+  for (uint32_t i = 0; i < entries.size(); ++i) entries[i] = {i, i * 4, 4};
+  const VkSpecializationInfo specialization{static_cast<uint32_t>(entries.size()), entries.data(),
+                                            info.specialization.size() * 4,
+                                            info.specialization.data()};
   VkPipelineShaderStageCreateInfo stages[2] = {};
   for (VkPipelineShaderStageCreateInfo& stage : stages) {
     stage.sType = VK_STRUCTURE_TYPE_PIPELINE_SHADER_STAGE_CREATE_INFO;
     stage.pName = "main";
+    stage.pSpecializationInfo = &specialization;
   }
   stages[0].stage = VK_SHADER_STAGE_VERTEX_BIT;
   stages[0].module = createShaderModule(device, info.vertex_spirv);
@@ -35,6 +41,8 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
       .sType = VK_STRUCTURE_TYPE_PIPELINE_RASTERIZATION_STATE_CREATE_INFO};
   raster.cullMode = VK_CULL_MODE_NONE;
   raster.lineWidth = 1.0f;
+  raster.depthBiasEnable = info.depth_bias_slope != 0.0f ? VK_TRUE : VK_FALSE;
+  raster.depthBiasSlopeFactor = info.depth_bias_slope;
   VkPipelineMultisampleStateCreateInfo multisample{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_MULTISAMPLE_STATE_CREATE_INFO};
   multisample.rasterizationSamples = info.samples;

@@ -19,6 +19,8 @@ struct GraphicsProgramInfo {
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed depth
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
+  float depth_bias_slope = 0.0f;         // added: this times the depth's slope a texel
+  std::vector<uint32_t> specialization;  // constant_id i = element i, both stages
 };
 
 // Triangles without vertex input, rendered dynamically into one colour and one depth image.

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
-// The scene's lights at a surface. Includers have `frame` (lab/render/scene_buffers.glsl).
+// The scene's lights at a surface. Includers have `frame` (lab/render/scene_buffers.glsl) and
+// sunShare (lab/render/shadow.glsl).
 #ifndef REPRISE_LAB_LIGHTING_GLSL
 #define REPRISE_LAB_LIGHTING_GLSL
 
@@ -24,7 +25,10 @@ struct Arriving {
 Arriving lightAt(uint i, vec3 position_world) {
   GpuLight light = frame.lights[i];
   vec3 color = (light.layer & shown_light_layers) != 0u ? light.color.rgb : vec3(0.0);
-  if (light.kind == kLightSun) return Arriving(-light.direction_world.xyz, color);
+  if (light.kind == kLightSun) {
+    if (i == frame.shadow_light) color *= sunShare(position_world);
+    return Arriving(-light.direction_world.xyz, color);
+  }
   vec3 to_light = light.position_world.xyz - position_world;
   float distance_squared = max(dot(to_light, to_light), 1.0e-6);
   to_light *= inversesqrt(distance_squared);

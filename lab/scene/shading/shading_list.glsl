@@ -7,10 +7,13 @@
 #include "lab/scene/shading/cells.glsl"
 #include "lab/scene/shading/chart.glsl"
 #include "lab/scene/shading/glazed.glsl"
+#include "lab/scene/shading/hangar.glsl"
+#include "lab/scene/shading/leaf.glsl"
 #include "lab/scene/shading/marble.glsl"
 #include "lab/scene/shading/room.glsl"
 #include "lab/scene/shading/rust.glsl"
 #include "lab/scene/shading/stone.glsl"
+#include "lab/scene/shading/textured.glsl"
 #include "lab/scene/shading/wood.glsl"
 
 // Bit k: materials of kind k occur. CPU drivers run every branch that is compiled in.
@@ -29,6 +32,9 @@ const uint kRoomKinds = (1u << kMaterialGlazed) | (1u << kMaterialStone);
 
 vec3 shadeMaterial(uint kind, SurfacePoint s) {
   if (isKind(kind, kMaterialChart)) return shadeChart(s);
+  if (isKind(kind, kMaterialTextured)) return shadeTextured(s);
+  if (isKind(kind, kMaterialLeaf)) return shadeLeaf(s);
+  if (isKind(kind, kMaterialHangar)) return shadeHangar(s);
   if ((kKinds & kLitKinds) == 0u) return vec3(0.0);
 
   Appearance a = Appearance(s.normal_world, vec3(0.0), 0.0, 0.0, 1.0, vec3(0.0));

@@ -14,6 +14,7 @@ struct SurfacePoint {
   vec2 uv_dy;       // d uv / d px.y
   float mip_bias;   // levels
   vec4 parameters;  // of the material
+  uint material;    // its number
   // For what only some materials ask (object_space.glsl).
   uvec3 vertices;
   vec3 barycentrics;

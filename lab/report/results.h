@@ -4,16 +4,14 @@
 #pragma once
 
 #include <cstdint>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "lab/metrics/sequence_meter.h"
+#include "lab/report/page_parts.h"
 
 namespace reprise::lab {
-
-using OrderedJson = nlohmann::ordered_json;
 
 struct RunCost {
   // Median over the counted frames in ms, in the order recorded.

@@ -20,6 +20,9 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_flag(
       "--unjitter-textures", unjitter_textures,
       "scenes: textures are looked up at the pixel centre although visibility is jittered");
+  verb.add_flag("--shading-only", shading_only,
+                "scenes: visibility stays at the pixel centre, jitter and grid move the shading "
+                "alone; compare with --reference-coverage centre");
   verb.add_option("--mip-bias", mip_bias, "scenes: levels added to what the technique asks for")
       ->check(CLI::Range(-8.0f, 8.0f))
       ->capture_default_str();
@@ -47,6 +50,11 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
                   "frames that the reference's shutter is open: motion blur; 0: none")
       ->check(CLI::Range(0.0, 1.0))
       ->capture_default_str();
+  verb.add_option("--reference-coverage", reference_coverage,
+                  "what a reference sample sees: what lies under it (pixel), or the surface at the "
+                  "pixel's centre, shaded at the sample (centre)")
+      ->check(CLI::IsMember({"pixel", "centre"}))
+      ->capture_default_str();
   verb.add_option("--cache", cache,
                   "directory of rendered references, or none (default: $REPRISE_CACHE, "
                   "$XDG_CACHE_HOME/reprise, ~/.cache/reprise)");
@@ -65,10 +73,13 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.switches.texture_filter = texture_filter == "none"        ? lab::TextureFilter::kNone
                                     : texture_filter == "trilinear" ? lab::TextureFilter::kTrilinear
                                                                     : lab::TextureFilter::kAniso16;
+  options.switches.shading_only = shading_only;
   options.reference.samples = reference_samples;
   options.reference.filter =
       reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;
   options.reference.shutter = reference_shutter;
+  options.reference.coverage = reference_coverage == "pixel" ? lab::ReferenceCoverage::kPixel
+                                                             : lab::ReferenceCoverage::kCentre;
   options.reference.cache = cache;
   return options;
 }

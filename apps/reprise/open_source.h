@@ -21,6 +21,8 @@ struct SceneFlags {
   std::string cache;
   bool unjitter_textures = false;
   bool defer_lights = false;
+  bool shading_only = false;
+  std::string reference_coverage = "pixel";
   float mip_bias = 0.0f;
   std::string texture_filter = "aniso16";
   uint32_t samples_a_pixel = 1;

@@ -91,6 +91,9 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   uint64_t key = hashBytes(content.data(), content.size());
   key = hashBytes(&options_.filter, sizeof(options_.filter), key);
   if (options_.shutter > 0.0) key = hashBytes(&options_.shutter, sizeof(options_.shutter), key);
+  if (options_.coverage != ReferenceCoverage::kPixel) {
+    key = hashBytes(&options_.coverage, sizeof(options_.coverage), key);
+  }
   const std::string identity = device_.name() + device_.driver();
   key = hashBytes(identity.data(), identity.size(), key);
   char name[32];
@@ -135,7 +138,7 @@ FloatImage ReferenceStore::reference(uint32_t index) {
         renderer_.recordShadows(commands);
         renderer_.recordClearSum(commands);
         renderer_.recordAccumulate(commands, jitters_px, {.light_layers = kAllLightLayers},
-                                   nullptr);
+                                   options_.coverage == ReferenceCoverage::kCentre, nullptr);
       });
       const FloatImage part = download(device_, renderer_.sum());
       FloatImage& sum = sums.halves[half];

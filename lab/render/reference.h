@@ -19,11 +19,17 @@ enum class ReferenceFilter {
   kGaussian  // standard deviation 0.4737 px (Yang et al. 2009), not truncated
 };
 
+enum class ReferenceCoverage {
+  kPixel,  // each sample sees what lies under it
+  kCentre  // visibility at the pixel centre, shading at the sample: RenderSwitches::shading_only
+};
+
 struct ReferenceOptions {
   uint32_t samples = 256;  // a pixel, even, [2, 2^16]
   ReferenceFilter filter = ReferenceFilter::kBox;
   // Frames that the shutter is open, about the frame's instant; 0: all samples at that instant.
   double shutter = 0.0;
+  ReferenceCoverage coverage = ReferenceCoverage::kPixel;
   std::filesystem::path cache;  // "": ReferenceStore::defaultCache(); "none": no cache
 };
 

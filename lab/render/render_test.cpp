@@ -338,6 +338,55 @@ TEST_F(Render, ReferencesAreCachedExtendedAndRepaired) {
   EXPECT_EQ(files().size(), 2u);
 }
 
+// The wall's edge stands in the middle of the frame: beyond it depth is 0 and the sky is seen.
+TEST_F(Render, ShadingOnlyLeavesSilhouettesAndMovesShading) {
+  const SceneRun run = parseSceneRun("chart/pan:vx=-101,vy=0");
+  SceneSourceOptions options = optionsOf({96, 64});
+  options.reference.filter = ReferenceFilter::kGaussian;
+  SceneSource whole(device, run, options);
+  options.switches.shading_only = true;
+  options.reference.coverage = ReferenceCoverage::kCentre;
+  SceneSource shading(device, run, options);
+
+  const Rendered still = renderFrame(device, whole, 3);
+  const Rendered jittered = renderFrame(device, shading, 3, 0.4f, -0.3f);
+  EXPECT_EQ(jittered.inputs.jitter_px[0], 0.0f);
+  EXPECT_EQ(jittered.depth.texels, still.depth.texels);
+  EXPECT_EQ(jittered.motion.texels, still.motion.texels);
+  const Rendered jittered_whole = renderFrame(device, whole, 3, 0.4f, -0.3f);
+  const Rendered grid = renderFrame(device, shading, 3, 0.0f, 0.0f, 4);
+  const Rendered grid_whole = renderFrame(device, whole, 3, 0.0f, 0.0f, 4);
+  const FloatImage reference = *shading.reference(3);
+  const FloatImage reference_whole = *whole.reference(3);
+
+  const float* sky = still.color.at(95, 0);
+  ASSERT_EQ(*still.depth.at(95, 0), 0.0f);
+  const auto isSky = [&](const float* rgb) {
+    return std::abs(rgb[0] - sky[0]) + std::abs(rgb[2] - sky[2]) < 1.0e-3f;
+  };
+  uint32_t mixed = 0;
+  uint32_t compared = 0;
+  for (uint32_t y = 0; y < 64; ++y) {
+    for (uint32_t x = 0; x < 96; ++x) {
+      const bool covered = *still.depth.at(x, y) > 0.0f;
+      EXPECT_EQ(isSky(grid.color.at(x, y)), !covered) << x << " " << y;
+      EXPECT_EQ(isSky(reference.at(x, y)), !covered) << x << " " << y;
+      if (!covered && !isSky(grid_whole.color.at(x, y))) ++mixed;
+      if (!covered && !isSky(reference_whole.at(x, y))) ++mixed;
+      // Away from the edge a plane looks the same either way.
+      if (x >= 40) continue;
+      ++compared;
+      for (int c = 0; c < 3; ++c) {
+        EXPECT_NEAR(jittered.color.at(x, y)[c], jittered_whole.color.at(x, y)[c], 0.02f);
+        EXPECT_NEAR(grid.color.at(x, y)[c], grid_whole.color.at(x, y)[c], 0.02f);
+        EXPECT_NEAR(reference.at(x, y)[c], reference_whole.at(x, y)[c], 0.02f);
+      }
+    }
+  }
+  EXPECT_GT(mixed, 30u);
+  EXPECT_GT(compared, 1000u);
+}
+
 TEST(ReferenceFile, DamageIsSeen) {
   const TemporaryDirectory directory;
   const auto path = directory.path() / "a.ref";

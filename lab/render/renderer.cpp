@@ -339,14 +339,17 @@ void Renderer::recordClearSum(VkCommandBuffer commands) const {
 }
 
 void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
-                                ShadeConstants constants, Timestamps* timestamps) const {
+                                ShadeConstants constants, bool shading_only,
+                                Timestamps* timestamps) const {
+  bool seen = false;
   for (const eq::vec2 jitter_px : jitters_px) {
-    if (timestamps != nullptr) timestamps->start(commands, "visibility");
-    recordVisibility(commands, jitter_px);
-    if (timestamps != nullptr) {
-      timestamps->stop(commands);
-      timestamps->start(commands, "shade");
+    if (!seen || !shading_only) {
+      if (timestamps != nullptr) timestamps->start(commands, "visibility");
+      recordVisibility(commands, shading_only ? eq::vec2(0.0f, 0.0f) : jitter_px);
+      if (timestamps != nullptr) timestamps->stop(commands);
+      seen = true;
     }
+    if (timestamps != nullptr) timestamps->start(commands, "shade");
     constants.jitter_px = {jitter_px.x, jitter_px.y};
     recordShadeWith(commands, accumulate_program_, color_, constants);
     if (timestamps != nullptr) timestamps->stop(commands);

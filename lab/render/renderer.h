@@ -28,6 +28,9 @@ struct RenderSwitches {
   bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
   TextureFilter texture_filter = TextureFilter::kAniso16;
   uint32_t samples = 1;  // a pixel, each with its own visibility and shading: 1 or 4
+  // Visibility stays at the pixel centre; only the shading position follows jitter and grid, on the
+  // triangle seen there: shading is antialiased, silhouettes are not (as in Yang et al. 2009).
+  bool shading_only = false;
 };
 
 class Renderer {
@@ -72,10 +75,10 @@ class Renderer {
   void prepareServe();
   void recordServe(VkCommandBuffer commands, VkBuffer requests, uint32_t light_layers) const;
   // Sums of shaded samples: clear, then for each sample visibility and shade, then the mean. All of
-  // `constants` but its jitter.
+  // `constants` but its jitter. `shading_only` as RenderSwitches has it.
   void recordClearSum(VkCommandBuffer commands) const;
   void recordAccumulate(VkCommandBuffer commands, std::span<const eq::vec2> jitters_px,
-                        ShadeConstants constants, Timestamps* timestamps) const;
+                        ShadeConstants constants, bool shading_only, Timestamps* timestamps) const;
   void recordMean(VkCommandBuffer commands, float scale) const;
 
   const Image& color() const { return color_; }    // RGBA16F

@@ -77,12 +77,14 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     record();
     if (timestamps_ != nullptr) timestamps_->stop(commands);
   };
-  const eq::vec2 jitter_px(sampling.jitter_px[0], sampling.jitter_px[1]);
+  const eq::vec2 shading_px(sampling.jitter_px[0], sampling.jitter_px[1]);
+  const bool shading_only = options_.switches.shading_only;
+  const eq::vec2 jitter_px = shading_only ? eq::vec2(0.0f, 0.0f) : shading_px;
   // With a grid of samples there is nothing to amortize, and nothing to defer.
   const bool defer = options_.switches.defer_lights && plan.grid <= 1;
   const uint32_t amortized_layers = defer ? kLightLayerMain : kAllLightLayers;
   const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
-  const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
+  const ShadeConstants constants{.jitter_px = {shading_px.x, shading_px.y},
                                  .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
                                  .offset_on = offset && plan.grid == 1 ? 1u : 0u,
                                  .offset_sigma_px = sampling.shading_offset_sigma_px,
@@ -92,11 +94,11 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   span("transform", [&] { renderer_.recordTransform(commands, 1); });
   if (renderer_.hasShadows()) span("shadows", [&] { renderer_.recordShadows(commands); });
   const std::vector<eq::vec2> jitters_px =
-      sampleJitters(jitter_px, plan.grid, options_.switches.samples);
+      sampleJitters(shading_px, plan.grid, options_.switches.samples);
   const bool many = jitters_px.size() > 1;
   if (many) {
     renderer_.recordClearSum(commands);
-    renderer_.recordAccumulate(commands, jitters_px, constants, timestamps_);
+    renderer_.recordAccumulate(commands, jitters_px, constants, shading_only, timestamps_);
     span("mean",
          [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }

@@ -64,6 +64,17 @@ TEST_F(Requests, OnlyWhatIsNewIsAskedForInMotion) {
   EXPECT_LT(more - few, 8.0 * 1.2);
 }
 
+// The camera runs beside the horse: its depth stays, where a point at rest would come nearer.
+TEST_F(Requests, WhatMovesByItselfKeepsItsHistory) {
+  const auto evaluations = [](const char* technique, uint32_t frames) {
+    return run("horse/gallop", technique, frames).evaluations_per_pixel * frames;
+  };
+  const double asked = evaluations("amortized", 24) - evaluations("amortized", 16);
+  const double shaded =
+      evaluations("amortized:requests=false", 24) - evaluations("amortized:requests=false", 16);
+  EXPECT_LT(asked / shaded, 1.5);
+}
+
 TEST_F(Requests, ServingThemImprovesTheFirstFrame) {
   EXPECT_GT(lastPsnr("brick/still", "amortized", 1),
             lastPsnr("brick/still", "amortized:requests=false", 1) + 3.0);

@@ -170,14 +170,18 @@ Gathered gatherFrom(sampler2D image, Surface s, uint b, vec2 motion_px, vec2 off
   float expected = expectedPreviousDepth(state.depth_coefficients,
                                          s.center_px - k.frame.jitter_px + offset_px, view_depth);
   expected = min(expected, kFarthestHalf);
+  // Only the camera's motion is known to it. What moves by itself may have kept its depth, as a
+  // horse does that the camera runs beside: anything between the two is the same surface.
+  float same_depth = min(view_depth, kFarthestHalf);
   // A slanted surface differs from texel to texel by its slope; a half adds its rounding.
   vec4 slack =
       vec4(k.depth_tolerance * expected + 1.5 * (abs(s.depth_slope.x) + abs(s.depth_slope.y)));
-  vec4 behind = vec4(expected) - depths;
+  vec4 nearer = vec4(min(expected, same_depth)) - depths;
+  vec4 farther = depths - vec4(max(expected, same_depth));
   // Silhouettes: only what was hidden is unseen. A nearer surface may be the other side of the
   // edge that the jitter moves across the pixel.
-  bvec4 agrees =
-      kSilhouettes != 0u ? lessThanEqual(behind, slack) : lessThanEqual(abs(behind), slack);
+  bvec4 agrees = kSilhouettes != 0u ? lessThanEqual(nearer, slack)
+                                    : lessThanEqual(max(nearer, farther), slack);
   vec4 valid = mix(vec4(0.0), vec4(1.0), agrees);
   valid *= vec4(greaterThan(depths, vec4(0.0)));
   // Texels outside the frame hold nothing; the sampler would repeat the border.

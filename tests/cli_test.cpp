@@ -3,7 +3,6 @@
 // The command line as its users meet it: each verb once on a small job, exit codes, errors in one
 // line, resumption, the report in a browser.
 #include <gtest/gtest.h>
-#include <sys/wait.h>
 
 #include <cstdio>
 #include <cstdlib>
@@ -12,46 +11,19 @@
 
 #include "lab/capture/exr_file.h"
 #include "lab/capture/output_file.h"
-#include "lab/capture/temporary_directory.h"
+#include "tests/command_line.h"
 
 namespace reprise::lab {
 namespace {
 
-struct Ran {
-  int code = -1;
-  std::string out;
-  std::string error;
-};
-
-class Cli : public testing::Test {
+class Cli : public CommandLine {
  protected:
-  Ran shell(const std::string& command) const {
-    const std::string error_path = path("stderr");
-    std::FILE* pipe = popen(
-        ("cd " + directory.path().string() + " && " + command + " 2>" + error_path).c_str(), "r");
-    Ran ran;
-    char buffer[4096];
-    for (size_t n; (n = std::fread(buffer, 1, sizeof(buffer), pipe)) > 0;)
-      ran.out.append(buffer, n);
-    const int status = pclose(pipe);
-    ran.code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);
-    ran.error = readWholeFile(error_path);
-    return ran;
-  }
-  Ran reprise(const std::string& arguments) const {
-    return shell("REPRISE_CACHE=" + path("cache") + " " REPRISE_COMMAND " " + arguments);
-  }
-  std::string path(const char* name) const { return (directory.path() / name).string(); }
-  bool exists(const char* name) const { return std::filesystem::exists(directory.path() / name); }
-
   void renderSmall(const char* extra = "") const {
     const Ran ran = reprise(
         std::string("render chart/pan --size 64x36 --frames 10 --samples 4 --reference -o cap ") +
         extra);
     ASSERT_EQ(ran.code, 0) << ran.error;
   }
-
-  TemporaryDirectory directory;
 };
 
 TEST_F(Cli, ListShowsEverythingAndItsJsonIsOneDocument) {
@@ -279,23 +251,8 @@ TEST_F(Cli, TheReportWorksInABrowser) {
   ASSERT_EQ(
       reprise("compare chart/pan -t none,taa --size 64x36 --frames 10 --samples 16 -o cmp").code,
       0);
-  if (std::system("chromium --version >/dev/null 2>&1") != 0)
-    GTEST_SKIP() << "chromium is not installed";
-  const std::string page = readWholeFile(path("cmp/report.html"));
-  // Self-contained: nothing is fetched.
-  for (const char* mark : {" src=\"http", "href=\"http", "@import", "url(http"}) {
-    EXPECT_EQ(page.find(mark), std::string::npos) << mark;
-  }
-  writeOutputFile(path("probe.html"),
-                  page + "<script>" + readWholeFile(REPRISE_CHROMIUM_SCRIPT) + "</script>");
-  const Ran ran = shell(
-      "timeout 120 chromium --headless=new --no-sandbox --disable-gpu --disable-dev-shm-usage "
-      "--disable-background-networking --no-first-run --user-data-dir=profile "
-      "--window-size=1200,1000 --virtual-time-budget=20000 --dump-dom file://" +
-      path("probe.html"));
-  const size_t begin = ran.out.rfind("PROBE ");
-  ASSERT_NE(begin, std::string::npos) << ran.error.substr(0, 2000);
-  const std::string found = ran.out.substr(begin, ran.out.find(" END", begin) - begin);
+  const std::string found = probe(path("cmp/report.html"), REPRISE_CHROMIUM_SCRIPT);
+  if (found.empty()) GTEST_SKIP() << "chromium is not installed";
   for (const char* expected :
        {"rows=2", "series=2", "metric=FLIP", "drawn0=none|reference|slider|0|4", "flips=true",
         "drawn1=none|reference|difference|0|4", "drawn2=flip of none|reference|side|9|4",

@@ -9,6 +9,7 @@ void addVerbs(CLI::App& app, const Globals& globals, Action& action) {
   addFilter(app, globals, action);
   addCompare(app, globals, action);
   addBench(app, globals, action);
+  addPaper(app, globals, action);
 }
 
 }  // namespace reprise::app

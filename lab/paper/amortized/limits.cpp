@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: MIT
+//
+// Section 8, the limits that the paper states: highlights and shadow edges that move fast over the
+// surface. Judged apart where the reference itself changed along the motion.
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "lab/metrics/display_space.h"
+#include "lab/paper/amortized/experiments.h"
+#include "lab/paper/amortized/subjects.h"
+#include "lab/paper/crop.h"
+#include "lab/paper/masked_error.h"
+
+namespace reprise::lab::amortized {
+namespace {
+
+// Of display luma, from one frame to the next: a tenth of the range is a change that is seen.
+constexpr float kChange = 0.1f;
+constexpr uint32_t kCrop_px = 72;
+
+float luma(const float* rgb) {
+  return 0.2126f * rgb[0] + 0.7152f * rgb[1] + 0.0722f * rgb[2];
+}
+
+// Pixels whose surface was seen in the previous frame and looked otherwise there.
+PixelMask changedShading(const FloatImage& reference, const FloatImage& previous,
+                         const FloatImage& motion_px, const PixelMask& unseen) {
+  PixelMask mask(reference.texelCount());
+  for (uint32_t y = 0; y < reference.height; ++y) {
+    for (uint32_t x = 0; x < reference.width; ++x) {
+      const size_t i = size_t{y} * reference.width + x;
+      const float* motion = motion_px.at(x, y);
+      const float px = static_cast<float>(x) + motion[0];
+      const float py = static_cast<float>(y) + motion[1];
+      const bool inside = px >= 0.0f && py >= 0.0f &&
+                          px <= static_cast<float>(reference.width - 1) &&
+                          py <= static_cast<float>(reference.height - 1);
+      if (!inside || unseen[i] > 0) continue;
+      // The nearest of the four around: a texture under a fraction of a pixel is no change.
+      float least = 1.0f;
+      for (uint32_t corner = 0; corner < 4; ++corner) {
+        const uint32_t cx = std::min(static_cast<uint32_t>(px) + (corner & 1), reference.width - 1);
+        const uint32_t cy =
+            std::min(static_cast<uint32_t>(py) + (corner >> 1), reference.height - 1);
+        least = std::min(least, std::abs(luma(reference.at(x, y)) - luma(previous.at(cx, cy))));
+      }
+      mask[i] = least > kChange ? 1 : 0;
+    }
+  }
+  return mask;
+}
+
+void changingShading(PaperLab& lab, const Subject& subject, Outcome& outcome) {
+  const std::string ours = amortizedFor(lab, subject);
+  PaperScene& scene = lab.scene(subject.moving);
+  const uint32_t first = std::max(PaperLab::warmUp(scene.frames()), 1u);
+  std::vector<PixelMask> changed(scene.frames());
+  uint32_t shown = first;
+  FloatImage shown_ours;
+  MaskedError ours_error;
+  lab.filter(subject.moving, ours, [&](const FrameDone& done) {
+    if (done.index < first) return;
+    const uint32_t t = done.index;
+    changed[t] = changedShading(scene.reference(t), scene.reference(t - 1),
+                                download(scene.device(), *done.inputs.motion),
+                                addedEvaluations(scene.device(), done.inputs));
+    const FloatImage display = displayImage(done.image);
+    ours_error.add(changed[t], scene.reference(t), display);
+    if (shown_ours.texels.empty() || pixelsInside(changed[t]) > pixelsInside(changed[shown])) {
+      shown = t;
+      shown_ours = display;
+    }
+  });
+  const std::string& run = subject.moving;
+  outcome.report(run + ": pixels whose shading changed", std::nullopt,
+                 100.0 * ours_error.shareInside(), "%");
+  if (ours_error.pixelsInside() == 0) {
+    outcome.note(run + ": no shading changed that fast");
+    return;
+  }
+  std::vector<std::pair<std::string, FloatImage>> pictures;
+  std::vector<std::vector<std::string>> lines;
+  const auto line = [&](const std::string& name, const MaskedError& error) {
+    lines.push_back(
+        {name, fmt::format("{:.2f}", error.insideDb()), fmt::format("{:.2f}", error.outsideDb())});
+    outcome.report(run + ": there, " + name, std::nullopt, error.insideDb(), "dB");
+    outcome.report(run + ": elsewhere, " + name, std::nullopt, error.outsideDb(), "dB");
+  };
+  line(ours, ours_error);
+  pictures.emplace_back(ours, shown_ours);
+  MaskedError ss4_error;
+  for (const char* technique : {"none", "ss:n=4"}) {
+    MaskedError error;
+    lab.filter(run, technique, [&](const FrameDone& done) {
+      if (done.index < first) return;
+      const FloatImage display = displayImage(done.image);
+      error.add(changed[done.index], scene.reference(done.index), display);
+      if (done.index == shown) pictures.emplace_back(technique, display);
+    });
+    line(technique, error);
+    ss4_error = error;
+  }
+  outcome.table(run + ", dB", {"technique", "where shading changed", "elsewhere"}, lines);
+  outcome.claim(run + ": loss to 4x4 where shading changed, over the loss elsewhere", std::nullopt,
+                (ss4_error.insideDb() - ours_error.insideDb()) -
+                    (ss4_error.outsideDb() - ours_error.outsideDb()),
+                "dB", "the limit that the paper states",
+                ss4_error.insideDb() > ours_error.insideDb());
+  const CropBox box = worstSquare(scene.reference(shown), shown_ours, kCrop_px);
+  pictures.emplace_back("reference", scene.reference(shown));
+  for (auto& [label, image] : pictures) image = crop(image, box);
+  outcome.gallery(fmt::format("{}, frame {}, where it is farthest off", run, shown), pictures);
+}
+
+}  // namespace
+
+void limits(PaperLab& lab, Outcome& outcome) {
+  for (const Subject* subject : {&teapot(), &indoor()}) {
+    if (sceneIsHere(subject->scene)) {
+      changingShading(lab, *subject, outcome);
+    } else {
+      outcome.lacks("scene " + subject->scene);
+    }
+  }
+}
+
+}  // namespace reprise::lab::amortized

@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: MIT
+#include "lab/paper/paper_lab.h"
+
+#include <fmt/format.h>
+
+#include <algorithm>
+#include <cmath>
+#include <numeric>
+
+#include "lab/capture/capture_error.h"
+#include "lab/capture/exr_file.h"
+#include "lab/capture/output_file.h"
+#include "lab/metrics/display_space.h"
+#include "lab/metrics/psnr.h"
+#include "lab/render/reference_file.h"
+#include "lab/report/page_parts.h"
+#include "lab/run/interrupt.h"
+#include "lab/run/progress.h"
+#include "reprise/reprise.h"
+
+namespace reprise::lab {
+namespace {
+
+constexpr double kFrameRate = 60.0;
+// Frames until a moving history holds what its bounds let it: four buffers are each written every
+// fourth frame, and the blur bound of amortized supersampling keeps about four writes.
+constexpr uint32_t kSettled = 16;
+
+bool isStill(const std::string& run) {
+  const size_t slash = run.find('/');
+  return slash != std::string::npos && run.compare(slash + 1, 5, "still") == 0;
+}
+
+std::string nameOf(const PaperView& view) {
+  return std::string(view.judged == Judged::kCentre ? "centre" : "pixel") +
+         (view.defer_lights ? ", lights deferred" : "");
+}
+
+double sumOfMedians(const PassTimes& times, size_t first) {
+  double sum = 0.0;
+  for (const auto& [name, ms] : times.medians(first)) sum += ms;
+  return sum;
+}
+
+// Without history a view at rest looks the same in every frame.
+uint32_t framesOf(const TechniqueChoice& choice, const std::string& run, uint32_t frames) {
+  const bool history = (choice.library->flags & REPRISE_TECHNIQUE_USES_HISTORY) != 0;
+  return isStill(run) && !history ? 1 : frames;
+}
+
+// A measurement on disk: figures in JSON, the last image in EXR beside it.
+OrderedJson measuredJson(const std::string& key, const Measured& measured) {
+  return {{"key", key},
+          {"psnr_db", measured.psnr_db},
+          {"evaluations_per_pixel", measured.evaluations_per_pixel},
+          {"render_ms", measured.render_ms},
+          {"resolve_ms", measured.resolve_ms}};
+}
+
+ExrImage exrOf(const FloatImage& rgb) {
+  ExrImage exr{rgb.width, rgb.height, {}, nullptr};
+  const std::span<const float> texels(rgb.texels);
+  for (size_t c = 0; c < 3; ++c) {
+    exr.channels.push_back(
+        exrChannel(std::string(1, "BGR"[c]), ExrType::kFloat, texels.subspan(2 - c), 3));
+  }
+  return exr;
+}
+
+FloatImage rgbOf(const ExrImage& exr) {
+  FloatImage rgb(exr.width, exr.height, 3);
+  for (size_t c = 0; c < 3; ++c) {
+    const ExrChannel* channel = exr.find(std::string(1, "RGB"[c]));
+    if (channel == nullptr) throw CaptureError("measurement", "channel", "is missing");
+    const std::vector<float> values = channel->floats();
+    for (size_t i = 0; i < values.size(); ++i) rgb.texels[3 * i + c] = values[i];
+  }
+  return rgb;
+}
+
+// Whole, of this very key, or nothing: what is damaged is measured again.
+std::optional<Measured> readMeasured(const std::filesystem::path& stem, const std::string& key) {
+  try {
+    const OrderedJson json = OrderedJson::parse(readWholeFile(stem.string() + ".json"));
+    if (json.at("key") != key) return std::nullopt;
+    Measured measured;
+    measured.psnr_db = json.at("psnr_db").get<std::vector<double>>();
+    measured.evaluations_per_pixel = json.at("evaluations_per_pixel");
+    measured.render_ms = json.at("render_ms");
+    measured.resolve_ms = json.at("resolve_ms");
+    measured.last = rgbOf(readExr(stem.string() + ".exr"));
+    return measured;
+  } catch (const CaptureError&) {
+    return std::nullopt;
+  } catch (const OrderedJson::exception&) {
+    return std::nullopt;
+  }
+}
+
+}  // namespace
+
+bool sceneIsHere(const std::string& scene) {
+  return std::any_of(sceneList().begin(), sceneList().end(),
+                     [&](const SceneInfo& info) { return info.name == scene; });
+}
+
+double Measured::meanPsnr(size_t first) const {
+  first = std::min(first, psnr_db.empty() ? 0 : psnr_db.size() - 1);
+  const auto begin = psnr_db.begin() + static_cast<std::ptrdiff_t>(first);
+  return std::accumulate(begin, psnr_db.end(), 0.0) /
+         static_cast<double>(std::max<size_t>(psnr_db.size() - first, 1));
+}
+
+PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
+                       const PaperScale& scale, bool still, const PaperView& view,
+                       const std::filesystem::path& cache, bool quiet)
+    : device_(std::move(device)) {
+  SceneSourceOptions options;
+  options.extent = scale.extent;
+  options.frames = still ? scale.still_frames : scale.frames;
+  options.frame_rate = kFrameRate;
+  options.switches.shading_only = view.judged == Judged::kCentre;
+  options.switches.defer_lights = view.defer_lights;
+  options.reference.samples = still ? scale.still_samples : scale.samples;
+  options.reference.filter = ReferenceFilter::kGaussian;
+  options.reference.coverage =
+      view.judged == Judged::kCentre ? ReferenceCoverage::kCentre : ReferenceCoverage::kPixel;
+  options.reference.cache = cache;
+  source_ = std::make_unique<SceneSource>(*device_, parseSceneRun(run), options);
+  Progress progress(fmt::format("reference of {} ({})", run, nameOf(view)), options.frames, quiet);
+  for (uint32_t frame = 0; frame < options.frames; ++frame) {
+    throwIfInterrupted();
+    // Frames that show the same share their reference, as all of a view at rest do.
+    source_->renderer().setFrame(frame, 0.0f);
+    const std::vector<uint8_t> content = source_->renderer().contentBytes();
+    const auto [known, fresh] =
+        reference_of_.try_emplace(hashBytes(content.data(), content.size()), references_.size());
+    if (fresh) {
+      references_.push_back(displayImage(*source_->reference(frame)));
+      // Each half has twice the variance of the whole, and their difference four times.
+      noise_.push_back(0.25 * std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
+    }
+    reference_of_frame_.push_back(known->second);
+    progress.step();
+  }
+}
+
+double PaperScene::psnr(uint32_t frame, const FloatImage& linear) const {
+  // An estimate may not fall below nothing.
+  constexpr double kLeastShare = 0.02;
+  const double error = meanSquaredError(reference(frame), displayImage(linear));
+  const double noise = noise_[reference_of_frame_[frame]];
+  return psnrDb(std::max(error - noise, kLeastShare * error));
+}
+
+PaperLab::PaperLab(PaperLabOptions options) : options_(std::move(options)) {}
+
+uint32_t PaperLab::warmUp(uint32_t frames) {
+  return frames > 2 * kSettled ? kSettled : frames / 2;
+}
+
+std::string PaperLab::key(const std::string& run, const std::string& technique,
+                          const PaperView& view) const {
+  const PaperScale& s = options_.scale;
+  const bool still = isStill(run);
+  return fmt::format("{} by {} at {}x{}, {} frames, {} samples, judged by {}, reprise {}", run,
+                     technique, s.extent.width, s.extent.height, still ? s.still_frames : s.frames,
+                     still ? s.still_samples : s.samples, nameOf(view), repriseGetVersion());
+}
+
+void PaperLab::close() {
+  if (!scene_) return;
+  const std::vector<std::string>& said = scene_->device().validationMessages();
+  validation_.insert(validation_.end(), said.begin(), said.end());
+  scene_.reset();
+}
+
+std::vector<std::string> PaperLab::takeValidationMessages() {
+  close();
+  return std::move(validation_);
+}
+
+PaperScene& PaperLab::scene(const std::string& run, const PaperView& view) {
+  const std::string wanted = key(run, "", view);
+  if (!scene_ || open_key_ != wanted) {
+    close();
+    scene_ = std::make_unique<PaperScene>(openDevice(), run, options_.scale, isStill(run), view,
+                                          options_.cache, options_.quiet);
+    open_key_ = wanted;
+  }
+  return *scene_;
+}
+
+SequenceRun PaperLab::filter(const std::string& run, const std::string& technique,
+                             const std::function<void(const FrameDone&)>& done,
+                             const PaperView& view) {
+  PaperScene& open = scene(run, view);
+  Resolver resolver(open.device(), parseTechnique(technique), open.source().info());
+  const uint32_t frames = framesOf(resolver.choice(), run, open.frames());
+  Progress progress(fmt::format("{} by {}", run, technique), frames, options_.quiet);
+  return runSequence(open.device(), open.source(), resolver, frames, false,
+                     [&](const FrameDone& frame) {
+                       done(frame);
+                       progress.step();
+                     });
+}
+
+const Measured& PaperLab::measure(const std::string& run, const std::string& technique,
+                                  const PaperView& view) {
+  const std::string wanted = key(run, technique, view);
+  if (const auto known = measured_.find(wanted); known != measured_.end()) return known->second;
+  const std::filesystem::path runs = options_.directory / "runs";
+  const std::filesystem::path stem =
+      runs / fmt::format("{:016x}", hashBytes(wanted.data(), wanted.size()));
+  if (options_.resume) {
+    if (std::optional<Measured> kept = readMeasured(stem, wanted)) {
+      return measured_[wanted] = std::move(*kept);
+    }
+  }
+  PaperScene& open = scene(run, view);
+  Measured measured;
+  FloatImage last;
+  const SequenceRun sequence = filter(
+      run, technique,
+      [&](const FrameDone& done) {
+        measured.psnr_db.push_back(open.psnr(done.index, done.image));
+        last = done.image;
+      },
+      view);
+  const size_t first = warmUp(static_cast<uint32_t>(measured.psnr_db.size()));
+  measured.evaluations_per_pixel = sequence.evaluations_per_pixel;
+  measured.render_ms = sumOfMedians(sequence.render_times, first);
+  measured.resolve_ms = sumOfMedians(sequence.resolve_times, first);
+  measured.last = displayImage(last);
+  makeOutputDirectory(runs);
+  writeExr(stem.string() + ".exr", exrOf(measured.last));
+  writeOutputFile(stem.string() + ".json", measuredJson(wanted, measured).dump(1) + "\n");
+  return measured_[wanted] = std::move(measured);
+}
+
+}  // namespace reprise::lab

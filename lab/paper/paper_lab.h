@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: MIT
+//
+// What an experiment of a paper is given: scenes opened at the run's size with their references,
+// techniques measured on them. A measurement that another experiment made is not made again, and
+// with resumption not that of an earlier process either.
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "lab/float_image.h"
+#include "lab/render/scene_source.h"
+#include "lab/run/sequence_run.h"
+#include "lab/vk/device.h"
+
+namespace reprise::lab {
+
+struct PaperScale {
+  VkExtent2D extent{};
+  uint32_t frames = 0;         // of a moving view
+  uint32_t still_frames = 0;   // of a still one
+  uint32_t samples = 0;        // of a reference, a pixel
+  uint32_t still_samples = 0;  // of the one reference of a still view
+  uint32_t grid = 0;           // values a side where an experiment samples a plane
+  bool whole = false;          // runs too that a reduced run leaves out for time
+};
+
+// Whether silhouettes count. Centre: visibility at the pixel centre in frames and reference alike,
+// shading alone is antialiased, as a paper on shading judges it. Pixel: the whole pixel.
+enum class Judged { kCentre, kPixel };
+
+struct PaperView {
+  Judged judged = Judged::kCentre;
+  // RenderSwitches::defer_lights: the deferred layer of light is kept from the technique.
+  bool defer_lights = false;
+};
+
+struct Measured {
+  std::vector<double> psnr_db;  // a frame
+  double evaluations_per_pixel = 0.0;
+  double render_ms = 0.0;   // of a frame, median over the frames after the first few
+  double resolve_ms = 0.0;  // likewise
+  FloatImage last;          // display values of the last frame
+
+  double frame_ms() const { return render_ms + resolve_ms; }
+  // Mean over the frames from `first` on.
+  double meanPsnr(size_t first) const;
+};
+
+// A scene at the run's size on a device of its own, and its references.
+class PaperScene {
+ public:
+  PaperScene(std::unique_ptr<Device> device, const std::string& run, const PaperScale& scale,
+             bool still, const PaperView& view, const std::filesystem::path& cache, bool quiet);
+
+  Device& device() { return *device_; }
+  SceneSource& source() { return *source_; }
+  uint32_t frames() const { return static_cast<uint32_t>(reference_of_frame_.size()); }
+  // Display values.
+  const FloatImage& reference(uint32_t frame) const {
+    return references_[reference_of_frame_[frame]];
+  }
+  // PSNR of a technique's linear image against the frame's reference, whose own noise is taken
+  // off: independent of the image, it adds its variance, known from the reference's two halves, to
+  // the mean squared error.
+  double psnr(uint32_t frame, const FloatImage& linear) const;
+
+ private:
+  std::unique_ptr<Device> device_;
+  std::unique_ptr<SceneSource> source_;
+  std::vector<FloatImage> references_;
+  std::vector<double> noise_;                // mean squared error of each reference
+  std::map<uint64_t, size_t> reference_of_;  // by a hash of what the frame shows
+  std::vector<size_t> reference_of_frame_;
+};
+
+struct PaperLabOptions {
+  PaperScale scale;
+  std::filesystem::path directory;  // measurements are kept in its folder "runs"
+  std::filesystem::path cache;      // of references; see ReferenceOptions
+  bool resume = false;
+  bool quiet = false;
+  std::function<std::unique_ptr<Device>()> open_device;
+};
+
+class PaperLab {
+ public:
+  explicit PaperLab(PaperLabOptions options);
+
+  const PaperScale& scale() const { return options_.scale; }
+  bool quiet() const { return options_.quiet; }
+  std::unique_ptr<Device> openDevice() const { return options_.open_device(); }
+  // Of the scenes opened so far; closes the open one.
+  std::vector<std::string> takeValidationMessages();
+
+  // `technique` over the scene "brick/pan". A camera named "still" runs still_frames.
+  const Measured& measure(const std::string& run, const std::string& technique,
+                          const PaperView& view = {});
+  // The last one opened stays open.
+  PaperScene& scene(const std::string& run, const PaperView& view = {});
+  // Runs `technique` over the scene as measure does, for experiments that look at every frame.
+  SequenceRun filter(const std::string& run, const std::string& technique,
+                     const std::function<void(const FrameDone&)>& done, const PaperView& view = {});
+  // Frames at the start of a run of `frames` that do not count.
+  static uint32_t warmUp(uint32_t frames);
+
+ private:
+  std::string key(const std::string& run, const std::string& technique,
+                  const PaperView& view) const;
+  void close();
+
+  PaperLabOptions options_;
+  std::map<std::string, Measured> measured_;
+  std::string open_key_;
+  std::unique_ptr<PaperScene> scene_;
+  std::vector<std::string> validation_;
+};
+
+// Whether `scene` is in the list of scenes.
+bool sceneIsHere(const std::string& scene);
+
+}  // namespace reprise::lab

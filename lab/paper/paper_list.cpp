@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: MIT
+//
+// The one list of papers; each is defined in its own folder.
+#include "lab/paper/paper.h"
+
+namespace reprise::lab {
+
+Paper amortizedPaper();
+
+const std::vector<Paper>& paperList() {
+  static const std::vector<Paper> list = {
+      amortizedPaper(),
+  };
+  return list;
+}
+
+std::string itemFolder(const std::string& item) {
+  std::string folder = item;
+  for (char& c : folder) c = c == ' ' ? '-' : c;
+  return folder;
+}
+
+}  // namespace reprise::lab

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: MIT
+//
+// The verb `paper` on a few items at a tiny size: the shape of paper.json, resumption, the page in
+// a browser. What the figures say is for the full run.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "tests/command_line.h"
+
+namespace reprise::lab {
+namespace {
+
+constexpr const char* kTiny = " --size 64x48 --frames 10 --samples 4 --grid 2";
+constexpr const char* kItems =
+    " --item 'figure 3' --item 'figure 7' --item 'figure 11' --item memory";
+
+using PaperCommand = CommandLine;
+
+TEST_F(PaperCommand, WritesItsNumbersAndResumes) {
+  const std::string command = std::string("paper amortized -o out") + kTiny + kItems;
+  const Ran ran = reprise(command);
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  EXPECT_NE(ran.out.find("64 x 48 px"), std::string::npos) << ran.out;
+  EXPECT_NE(ran.out.find("published 1024 x 768 px"), std::string::npos) << ran.out;
+  const auto rows = nlohmann::json::parse(readWholeFile(path("out/paper.json")));
+  ASSERT_TRUE(rows.is_array());
+  std::set<std::string> items;
+  for (const auto& row : rows) {
+    items.insert(row["item"].get<std::string>());
+    ASSERT_EQ(row.size(), 7u) << row;
+    EXPECT_TRUE(row["published"].is_number() || row["published"].is_null()) << row;
+    EXPECT_TRUE(row["measured"].is_number()) << row;
+    EXPECT_TRUE(row["unit"].is_string()) << row;
+    EXPECT_EQ(row["claim"] != "", row["holds"].is_boolean()) << row;
+    if (row["row"] == "RMSE of the second moment") {
+      EXPECT_EQ(row["published"], 0.0382);
+      // Even here: the chart keeps its size.
+      EXPECT_LT(row["measured"], 0.08);
+    }
+    if (row["row"] == "subpixel buffers: color, view depth") {
+      EXPECT_NEAR(row["measured"].get<double>(), 5 * 8 * 1024 * 768 / 1.0e6, 1.0e-9);
+    }
+  }
+  EXPECT_EQ(items, (std::set<std::string>{"figure 3", "figure 7", "figure 11", "memory"}));
+
+  const auto written = [&](const char* name) {
+    return std::filesystem::last_write_time(directory.path() / name);
+  };
+  const auto before = written("out/figure-3/outcome.json");
+  std::filesystem::remove(directory.path() / "out/figure-11/outcome.json");
+  const Ran again = reprise(command + " --resume --json");
+  ASSERT_EQ(again.code, 0) << again.error;
+  EXPECT_EQ(nlohmann::json::parse(again.out), rows);  // figure 11 from its measurements
+  EXPECT_EQ(written("out/figure-3/outcome.json"), before);
+  EXPECT_TRUE(std::filesystem::exists(directory.path() / "out/figure-11/outcome.json"));
+
+  // Damage is not taken up.
+  std::ofstream(path("out/memory/outcome.json")) << "{";
+  EXPECT_EQ(reprise(command + " --resume --quiet").code, 0);
+  EXPECT_TRUE(nlohmann::json::accept(readWholeFile(path("out/memory/outcome.json"))));
+}
+
+TEST_F(PaperCommand, WrongUsageIsTwo) {
+  EXPECT_EQ(reprise("paper amortised -o out").code, 2);
+  const Ran item = reprise("paper amortized -o out --item 'figure 99'");
+  EXPECT_EQ(item.code, 2);
+  EXPECT_NE(item.error.find("has no item 'figure 99'"), std::string::npos) << item.error;
+  const Ran help = reprise("paper --help");
+  EXPECT_NE(help.out.find("Example: reprise paper"), std::string::npos);
+}
+
+TEST_F(PaperCommand, ThePageWorksInABrowser) {
+  ASSERT_EQ(reprise(std::string("paper amortized -o out --item 'figure 3' --item 'figure 6' --item "
+                                "'figure 7' --item 'figure 8'") +
+                    kTiny)
+                .code,
+            0);
+  const std::string found = probe(path("out/paper.html"), REPRISE_CHROMIUM_SCRIPT);
+  if (found.empty()) GTEST_SKIP() << "chromium is not installed";
+  for (const char* expected : {"items=4", "claims=true", "cells=true", "series=true", "heat=3",
+                               "pictures=true", "|slider|0|1", "size=true"}) {
+    EXPECT_NE(found.find(expected), std::string::npos) << expected << "\n" << found;
+  }
+  EXPECT_EQ(found.find("error="), std::string::npos) << found;
+}
+
+TEST_F(PaperCommand, ValidationStaysSilent) {
+  const Ran ran =
+      reprise(std::string("--validation paper amortized -o out --item 'figure 9'") + kTiny);
+  if (ran.error.find("validation layer") != std::string::npos && ran.code == 4) {
+    GTEST_SKIP() << ran.error;
+  }
+  EXPECT_EQ(ran.code, 0) << ran.error;
+}
+
+}  // namespace
+}  // namespace reprise::lab

@@ -9,6 +9,7 @@
 #include "equations/clipping.h"
 #include "equations/color_space.h"
 #include "equations/filters.h"
+#include "equations/fxaa.h"
 #include "equations/hash.h"
 #include "equations/jitter.h"
 #include "equations/reprojection.h"
@@ -17,7 +18,7 @@
 
 EQ_BEGIN
 
-EQ_CONST uint kEquationCount = 66u;
+EQ_CONST uint kEquationCount = 70u;
 
 EQ_FN vec4 wide2(vec2 v) {
   return vec4(v.x, v.y, 0.0f, 0.0f);
@@ -145,6 +146,15 @@ EQ_FN vec4 amortizedSample(uint which, uint s) {
   return wide1(residualBound(fx - 0.5f, 0.1f));
 }
 
+EQ_FN vec4 fxaaSample(uint which, uint s) {
+  float a = drawn(s, 1u);
+  float b = 0.05f + drawn(s, 2u);
+  if (which == 0u) return wide1(fxaaBend(drawn3(s, 1u), drawn3(s, 4u), drawn3(s, 7u)));
+  if (which == 1u) return wide1(fxaaSubpixelShift(4.0f * a, 4.0f * drawn(s, 3u), a, b, 0.75f));
+  if (which == 2u) return wide1(fxaaSpanShift(8.0f * a, 8.0f * b));
+  return wide3(linearFromDisplay(drawn3(s, 1u) * 0.95f));
+}
+
 // Equation `which` in [0, kEquationCount) on arguments of `seed`.
 EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 10u) return filterSample(which, seed);
@@ -153,7 +163,8 @@ EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 39u) return clipSample(which - 32u, seed);
   if (which < 51u) return jitterSample(which - 39u, seed);
   if (which < 60u) return reprojectionSample(which - 51u, seed);
-  return amortizedSample(which - 60u, seed);
+  if (which < 66u) return amortizedSample(which - 60u, seed);
+  return fxaaSample(which - 66u, seed);
 }
 
 EQ_END

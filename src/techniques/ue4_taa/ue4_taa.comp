@@ -102,8 +102,9 @@ void main() {
   alpha = mix(1.0, alpha, trust);
 
   vec3 result = min(fromWorking(mix(bounded, current, alpha)), vec3(kMaxColor));
-  // An alpha of 1/25 moves history by less than half's last bit: rounded at random, it still moves.
+  // An alpha of 1/25 moves history by less than half's last bit: rounded by a threshold that
+  // varies, it still moves.
   imageStore(next_history_image, px,
-             vec4(roundedToHalf(result, px, k.frame.frame_number, true), 1.0));
+             vec4(evenlyRoundedToHalf(result, px, k.frame.frame_number), 1.0));
   imageStore(output_image, px, vec4(result, 1.0));
 }

@@ -17,6 +17,22 @@ vec3 meanSample(vec3 s[9]) {
   return sum * (1.0 / 9.0);
 }
 
+struct Moments {
+  vec3 mean;
+  vec3 deviation;
+};
+
+Moments moments(vec3 s[9]) {
+  vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  for (int i = 0; i < 9; ++i) {
+    sum += s[i];
+    sum_of_squares += s[i] * s[i];
+  }
+  vec3 mean = sum * (1.0 / 9.0);
+  return Moments(mean, sqrt(max(sum_of_squares * (1.0 / 9.0) - mean * mean, vec3(0.0))));
+}
+
 struct Bound {
   vec3 low;
   vec3 high;

@@ -12,22 +12,6 @@ vec3 filteredSample(vec3 s[9], TaaConstants k) {
   return weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8);
 }
 
-struct Moments {
-  vec3 mean;
-  vec3 deviation;
-};
-
-Moments moments(vec3 s[9]) {
-  vec3 sum = vec3(0.0);
-  vec3 sum_of_squares = vec3(0.0);
-  for (int i = 0; i < 9; ++i) {
-    sum += s[i];
-    sum_of_squares += s[i] * s[i];
-  }
-  vec3 mean = sum * (1.0 / 9.0);
-  return Moments(mean, sqrt(max(sum_of_squares * (1.0 / 9.0) - mean * mean, vec3(0.0))));
-}
-
 Bound extremes(vec3 s[9]) {
   if (kClip == kClipCross) return crossExtremes(s);
   return kClip == kClipRounded ? roundedExtremes(s) : squareExtremes(s);

@@ -1,13 +1,8 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Measures what each setting of taa does alone: every variant against the defaults, over a moving
-and a still wall, a moving chart and, where REPRISE_DATA holds it, a Blender capture. Prints the
-table of src/techniques/taa/README.md. About fifteen minutes on two cores."""
-import json
-import os
-import subprocess
-import sys
-import tempfile
+"""What each setting of taa does alone: prints the table of src/techniques/taa/README.md. About
+fifteen minutes on two cores."""
+from setting_effects import printTable
 
 VARIANTS = """
 jitter=none jitter=halton jitter=n-rooks jitter=sobol jitter=rotated-grid jitter=msaa8 jitter=helix
@@ -24,38 +19,4 @@ offscreen=extend still_frames=0 still_frames=64 gamma_still=1 gamma_still=16 ave
 average=6 sharpen=0.3 sharpen=1 dither=false preset=fast
 """.split()
 
-
-def main():
-    reprise = os.path.join(os.path.dirname(__file__), "..", "build", "bin", "reprise")
-    sources = ["brick/pan", "brick/still", "chart/pan"]
-    spheres = os.path.join(os.environ.get("REPRISE_DATA", ""), "blender-spheres")
-    if os.path.isdir(spheres):
-        sources.append(spheres)
-    techniques = ["taa"] + ["taa:" + variant for variant in VARIANTS]
-    with tempfile.TemporaryDirectory() as directory:
-        command = [reprise, "compare", *sources, "-t", *techniques, "--size", "384x216",
-                   "--frames", "24", "--samples", "128", "--report-mib", "1", "--quiet", "--json",
-                   "-o", directory, *sys.argv[1:]]
-        output = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-        runs = json.loads(output)["runs"]
-    names = list(dict.fromkeys(run["source"] for run in runs))
-    figures = {(run["source"], run["technique"]): run["mean"] for run in runs}
-    title = [os.path.basename(name) if os.path.isdir(name) else name for name in names]
-    print("| setting | " + " | ".join(f"{name}: PSNR, FLIP, tPSNR" for name in title) + " |")
-    print("|---|" + "---|" * len(names))
-    for technique in techniques:
-        cells = []
-        for name in names:
-            here, base = figures[name, technique], figures[name, "taa"]
-            if technique == "taa":
-                cells.append(f"{here['psnr']:.2f}, {here['flip']:.4f}, {here['tpsnr']:.2f}")
-            else:
-                cells.append(", ".join([f"{here['psnr'] - base['psnr']:+.2f}",
-                                        f"{here['flip'] - base['flip']:+.4f}",
-                                        f"{here['tpsnr'] - base['tpsnr']:+.2f}"]))
-        label = "defaults" if technique == "taa" else technique[4:].replace(",", ", ")
-        print(f"| {label} | " + " | ".join(cells) + " |")
-
-
-if __name__ == "__main__":
-    main()
+printTable("taa", VARIANTS)

@@ -65,7 +65,7 @@ TEST(CreateContext, RefusesWhatCannotBe) {
       {"get_instance_proc_addr is null", invalid,
        [](auto& i) { i.get_instance_proc_addr = nullptr; }},
       {"info.technique is null", invalid, [](auto& i) { i.technique = nullptr; }},
-      {"there is no technique 'taaa'; near: 'taa'", invalid, [](auto& i) { i.technique = "taaa"; }},
+      {"there is no technique 'tae'; near: 'taa'", invalid, [](auto& i) { i.technique = "tae"; }},
       {"preset", invalid, [](auto& i) { i.preset = "fsat"; }},
       {"info.settings is null", invalid, [](auto& i) { i.setting_count = 1; }},
       {"alhpa", invalid,

@@ -56,7 +56,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
   } cases[] = {
       {"", "subcommand"},
       {"filtre", ""},
-      {"compare brick/pan -t taaa -o x", "there is no technique 'taaa'; near: 'taa'"},
+      {"compare brick/pan -t tae -o x", "there is no technique 'tae'; near: 'taa'"},
       {"compare brick/pan -t taa:alhpa=1 -o x", "near: 'alpha'"},
       {"compare brick/pan -t taa:alpha=7 -o x", "must be a number in [0.001, 1]"},
       {"compare brick/pan -t taa,taa -o x", "named twice"},

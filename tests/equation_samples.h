@@ -9,15 +9,17 @@
 #include "equations/clipping.h"
 #include "equations/color_space.h"
 #include "equations/filters.h"
+#include "equations/fxaa.h"
 #include "equations/hash.h"
 #include "equations/jitter.h"
+#include "equations/least_squares.h"
 #include "equations/reprojection.h"
 #include "equations/shading_offset.h"
 #include "equations/sharpen.h"
 
 EQ_BEGIN
 
-EQ_CONST uint kEquationCount = 66u;
+EQ_CONST uint kEquationCount = 78u;
 
 EQ_FN vec4 wide2(vec2 v) {
   return vec4(v.x, v.y, 0.0f, 0.0f);
@@ -145,6 +147,38 @@ EQ_FN vec4 amortizedSample(uint which, uint s) {
   return wide1(residualBound(fx - 0.5f, 0.1f));
 }
 
+EQ_FN vec4 fxaaSample(uint which, uint s) {
+  float a = drawn(s, 1u);
+  float b = 0.05f + drawn(s, 2u);
+  if (which == 0u) return wide1(fxaaBend(drawn3(s, 1u), drawn3(s, 4u), drawn3(s, 7u)));
+  if (which == 1u) return wide1(fxaaSubpixelShift(4.0f * a, 4.0f * drawn(s, 3u), a, b, 0.75f));
+  if (which == 2u) return wide1(fxaaSpanShift(8.0f * a, 8.0f * b));
+  return wide3(linearFromDisplay(drawn3(s, 1u) * 0.95f));
+}
+
+// Every number of a model counts.
+EQ_FN vec4 modelDigest(LinearModel m) {
+  return vec4(m.intercept.x + 2.0f * m.intercept.y + 3.0f * m.intercept.z + m.level,
+              dot(m.slope_r, vec3(1.0f, 2.0f, 3.0f)) + dot(m.slope_g, vec3(4.0f, 5.0f, 6.0f)) +
+                  dot(m.slope_b, vec3(7.0f, 8.0f, 9.0f)),
+              dot(m.cross, vec3(1.0f, 2.0f, 3.0f)) + dot(m.spread, vec3(4.0f, 5.0f, 6.0f)),
+              dot(m.spread_cross, vec3(1.0f, 2.0f, 3.0f)));
+}
+
+EQ_FN vec4 leastSquaresSample(uint which, uint s) {
+  vec3 z = drawn3(s, 4u) - vec3(0.5f);
+  LinearModel m = constantModel(drawn3(s, 1u), 1.0f + drawn(s, 7u), 2.0f);
+  m = updatedModel(m, drawn3(s, 8u), drawn3(s, 11u) - vec3(0.5f), 0.998f);
+  if (which == 0u) return modelDigest(m);
+  if (which == 1u) return modelDigest(shiftedModel(m, z));
+  if (which == 2u) return modelDigest(updatedModel(m, z, drawn3(s, 14u), 0.9f));
+  if (which == 3u) return modelDigest(boundedModel(m, 0.5f, 1.0f));
+  if (which == 4u) return modelDigest(exposedModel(m, 0.5f + drawn(s, 17u)));
+  if (which == 5u) return wide3(predictedColor(m, z));
+  if (which == 6u) return wide1(predictionVariance(m, z));
+  return wide1(featureAlpha(drawn(s, 1u), drawn(s, 2u), 8.0f * drawn(s, 3u), 0.125f, 0.25f));
+}
+
 // Equation `which` in [0, kEquationCount) on arguments of `seed`.
 EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 10u) return filterSample(which, seed);
@@ -153,7 +187,9 @@ EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 39u) return clipSample(which - 32u, seed);
   if (which < 51u) return jitterSample(which - 39u, seed);
   if (which < 60u) return reprojectionSample(which - 51u, seed);
-  return amortizedSample(which - 60u, seed);
+  if (which < 66u) return amortizedSample(which - 60u, seed);
+  if (which < 70u) return fxaaSample(which - 66u, seed);
+  return leastSquaresSample(which - 70u, seed);
 }
 
 EQ_END

@@ -60,7 +60,13 @@ std::vector<std::string> libraryTechniques() {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, EverySetting, testing::ValuesIn(libraryTechniques()),
-                         [](const auto& test) { return test.param; });
+                         [](const auto& test) {
+                           std::string name = test.param;
+                           for (char& c : name) {
+                             if (std::isalnum(static_cast<unsigned char>(c)) == 0) c = '_';
+                           }
+                           return name;
+                         });
 
 }  // namespace
 }  // namespace reprise::lab

@@ -87,13 +87,17 @@ TEST_P(EveryTechnique, AStillSceneGoesToTheSupersampledReference) {
   formula.color = edges;
   // Its still kernel: the samples' variance, the tent's and the buffers' places (README.md).
   if (GetParam().starts_with("amortized")) formula.reference_sigma_px = 0.504f;
+  // Its input filter's, by design (README.md).
+  if (GetParam().starts_with("ue4-taa")) formula.reference_sigma_px = 0.467f;
   FormulaSource source(testDevice(), {48, 32}, formula);
   const FloatImage reference = *source.reference(0);
   Resolver r = resolver(source);
   const double first = squaredError(reference, resolveFrames(r, source, 1));
   const double later = squaredError(reference, resolveFrames(r, source, 63, 1));
-  // A mean of n independent samples would have a tenth of the error at n = 10.
-  EXPECT_LT(later, 0.1 * first) << "first " << first << " later " << later;
+  // A mean of n independent samples would have a tenth of the error at n = 10. The tight bound of
+  // ue4-taa applies at rest too and ends convergence, and its first frame is filtered already.
+  const double share = GetParam().starts_with("ue4-taa") ? 0.5 : 0.1;
+  EXPECT_LT(later, share * first) << "first " << first << " later " << later;
 }
 
 TEST_P(EveryTechnique, ResetGivesTheCurrentFrameAlone) {

@@ -268,7 +268,8 @@ typedef struct RepriseSamplePlan {
   uint32_t depth_samples;
 } RepriseSamplePlan;
 
-// The plan of frame `frame_index`: a pure function of the index, the settings and the extents.
+// The plan of frame `frame_index`: a pure function of the index, the settings and the extents; with
+// `phlm:jitter=still` also of whether the cameras of the last two recorded frames differ.
 RepriseResult repriseGetSamplePlan(RepriseContext context, uint64_t frame_index,
                                    RepriseSamplePlan* plan);
 

@@ -16,6 +16,11 @@ RepriseImage orPlaceholder(const RepriseImage& image, const HistoryImage& placeh
   return {placeholder.current(0), placeholder.extent(), VK_IMAGE_LAYOUT_GENERAL};
 }
 
+bool sameCamera(const RepriseCamera& a, const RepriseCamera& b) {
+  return std::equal(std::begin(a.view), std::end(a.view), std::begin(b.view)) &&
+         std::equal(std::begin(a.projection), std::end(a.projection), std::begin(b.projection));
+}
+
 // An empty list: a dispatch of no groups, no entries.
 constexpr uint32_t kNoRequests[] = {0, 1, 1, 0};
 
@@ -196,7 +201,9 @@ void Context::prepare() {
 void Context::plan(uint64_t frame_index, RepriseSamplePlan& plan) const {
   const size_t size = plan.size;
   plan = {.size = size, .coarse_size = 1};
-  planner_->plan({frame_index, max_input_extent_, max_output_extent_, settings_}, plan);
+  planner_->plan({frame_index, max_input_extent_, max_output_extent_, settings_,
+                  previous_.camera_moves},
+                 plan);
 }
 
 FrameState Context::frameState(const RepriseFrame& frame, bool shaded) const {
@@ -250,6 +257,8 @@ void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
   previous_.output_extent = state.output_extent;
   previous_.jitter_px = state.jitter_px;
   previous_.pre_exposure = frame.pre_exposure;
+  previous_.camera_moves = frame.camera != nullptr && previous_.camera.has_value() &&
+                           !sameCamera(*frame.camera, *previous_.camera);
   previous_.camera.reset();
   if (frame.camera != nullptr) previous_.camera = *frame.camera;
   reset_pending_ = false;

@@ -76,6 +76,7 @@ class Context {
   struct Previous {
     VkExtent2D output_extent{};
     eq::vec2 jitter_px{};
+    bool camera_moves = false;  // against the frame before it
     float pre_exposure = 1.0f;
     std::optional<RepriseCamera> camera;
   };

@@ -9,18 +9,36 @@
 
 #include "equations/hash.h"
 
-// `value` in [0, 65504]; `frame` varies the noise from frame to frame.
-vec3 roundedToHalf(vec3 value, ivec2 px, float frame, bool stochastic) {
+// To the multiple of half's last bit below value + threshold * bit. `value` in [0, 65504].
+vec3 roundedToHalfAt(vec3 value, vec3 threshold) {
   const float kSmallestStep = 1.0 / 16777216.0;  // 2^-24, the subnormal half
   vec3 power = uintBitsToFloat(floatBitsToUint(value) & uvec3(0x7f800000u));
   vec3 ulp = max(power * (1.0 / 1024.0), vec3(kSmallestStep));
+  return min(floor(value / ulp + threshold) * ulp, vec3(65504.0));
+}
+
+// Three numbers in (0, 1): ten bits each, centred in their intervals.
+vec3 unitFromBits(uint h) {
+  return (vec3(h & 1023u, (h >> 10) & 1023u, (h >> 20) & 1023u) + 0.5) * (1.0 / 1024.0);
+}
+
+// `frame` varies the noise from frame to frame.
+vec3 roundedToHalf(vec3 value, ivec2 px, float frame, bool stochastic) {
   vec3 threshold = vec3(0.5);
   if (stochastic) {
-    uint h = hashPcg(hashPcg(uint(px.x) + 65536u * uint(px.y)) + uint(frame));
-    // Ten bits a channel, centred in their intervals: never exactly 0 or 1.
-    threshold = (vec3(h & 1023u, (h >> 10) & 1023u, (h >> 20) & 1023u) + 0.5) * (1.0 / 1024.0);
+    threshold = unitFromBits(hashPcg(hashPcg(uint(px.x) + 65536u * uint(px.y)) + uint(frame)));
   }
-  return min(floor(value / ulp + threshold) * ulp, vec3(65504.0));
+  return roundedToHalfAt(value, threshold);
+}
+
+// The same with thresholds that a pixel steps through by the golden ratio. Errors of successive
+// frames cancel, where independent ones add up to a random walk: 2.5 last bits deep for a feedback
+// of 0.02.
+vec3 evenlyRoundedToHalf(vec3 value, ivec2 px, float frame) {
+  vec3 start = unitFromBits(hashPcg(uint(px.x) + 65536u * uint(px.y)));
+  // 0.618034 * 1024, odd: steps through all 1024 before it repeats.
+  uint turn = (uint(frame) * 633u) & 1023u;
+  return roundedToHalfAt(value, fract(start + float(turn) * (1.0 / 1024.0)));
 }
 
 #endif

@@ -71,6 +71,15 @@ EQ_FN vec3 displayFromLinear(vec3 c) {
   return vec3(displayFromLinear(c.x), displayFromLinear(c.y), displayFromLinear(c.z));
 }
 
+// Its inverse on [0, 1]; 1 itself, which no colour reaches, comes back as 65504.
+EQ_FN float linearFromDisplay(float x) {
+  float v = pow(clamp(x, 0.0f, 1.0f), 2.2f);
+  return v / max(1.0f - v, 1.0f / 65505.0f);
+}
+EQ_FN vec3 linearFromDisplay(vec3 c) {
+  return vec3(linearFromDisplay(c.x), linearFromDisplay(c.y), linearFromDisplay(c.z));
+}
+
 // Luma as the eye ranks it: Rec. 601 of the display-encoded colour. FXAA's thresholds need it;
 // linear luma has no edges in the dark and too many in the light.
 EQ_FN float perceptualLuma(vec3 c) {

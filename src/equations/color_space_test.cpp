@@ -72,6 +72,12 @@ TEST(ColorSpace, Display) {
   EXPECT_NEAR(displayFromLinear(vec3(1.0f, 0.0f, 3.0f)).z, 0.8774243f, 1e-6f);
   EXPECT_NEAR(perceptualLuma(vec3(1.0f)), 0.729740f, 1e-6f);
   EXPECT_NEAR(perceptualLuma(vec3(0.0f, 1.0f, 0.0f)), 0.587f * 0.729740f, 1e-6f);
+  EXPECT_NEAR(linearFromDisplay(0.729740f), 1.0f, 1e-5f);
+  EXPECT_EQ(linearFromDisplay(-1.0f), 0.0f);
+  for (const float x : {0.0f, 0.003f, 0.4f, 7.0f, 300.0f}) {
+    EXPECT_NEAR(linearFromDisplay(displayFromLinear(x)), x, 1e-5f * (1.0f + x * x)) << x;
+  }
+  EXPECT_TRUE(std::isfinite(linearFromDisplay(2.0f)));
 }
 
 }  // namespace

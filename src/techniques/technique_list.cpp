@@ -8,16 +8,16 @@
 namespace reprise {
 
 extern const TechniqueEntry kAmortizedEntry;
+extern const TechniqueEntry kFxaaEntry;
 extern const TechniqueEntry kNoneEntry;
+extern const TechniqueEntry kPhlmEntry;
 extern const TechniqueEntry kReprojectionEntry;
 extern const TechniqueEntry kTaaEntry;
+extern const TechniqueEntry kUe4TaaEntry;
 
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
-      kNoneEntry,
-      kReprojectionEntry,
-      kTaaEntry,
-      kAmortizedEntry,
+      kNoneEntry, kFxaaEntry, kReprojectionEntry, kUe4TaaEntry, kTaaEntry, kAmortizedEntry, kPhlmEntry,
   };
   return kList;
 }

@@ -4,56 +4,17 @@
 #ifndef REPRISE_TECHNIQUES_TAA_NEIGHBOURHOOD_GLSL
 #define REPRISE_TECHNIQUES_TAA_NEIGHBOURHOOD_GLSL
 
+#include "core/neighbourhood.glsl"
 #include "equations/clipping.h"
 #include "techniques/taa/working_space.glsl"
 
 vec3 filteredSample(vec3 s[9], TaaConstants k) {
-  return s[0] * k.filter_weights_0_3.x + s[1] * k.filter_weights_0_3.y +
-         s[2] * k.filter_weights_0_3.z + s[3] * k.filter_weights_0_3.w +
-         s[4] * k.filter_weights_4_7.x + s[5] * k.filter_weights_4_7.y +
-         s[6] * k.filter_weights_4_7.z + s[7] * k.filter_weights_4_7.w + s[8] * k.filter_weight_8;
+  return weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8);
 }
-
-struct Moments {
-  vec3 mean;
-  vec3 deviation;
-};
-
-Moments moments(vec3 s[9]) {
-  vec3 sum = vec3(0.0);
-  vec3 sum_of_squares = vec3(0.0);
-  for (int i = 0; i < 9; ++i) {
-    sum += s[i];
-    sum_of_squares += s[i] * s[i];
-  }
-  vec3 mean = sum * (1.0 / 9.0);
-  return Moments(mean, sqrt(max(sum_of_squares * (1.0 / 9.0) - mean * mean, vec3(0.0))));
-}
-
-struct Bound {
-  vec3 low;
-  vec3 high;
-};
 
 Bound extremes(vec3 s[9]) {
-  vec3 cross_low = min(min(min(s[1], s[3]), min(s[5], s[7])), s[4]);
-  vec3 cross_high = max(max(max(s[1], s[3]), max(s[5], s[7])), s[4]);
-  if (kClip == kClipCross) return Bound(cross_low, cross_high);
-  vec3 low = min(cross_low, min(min(s[0], s[2]), min(s[6], s[8])));
-  vec3 high = max(cross_high, max(max(s[0], s[2]), max(s[6], s[8])));
-  // Karis 2014: the mean of both boxes rounds the square neighbourhood's corners.
-  if (kClip == kClipRounded) return Bound(0.5 * (low + cross_low), 0.5 * (high + cross_high));
-  return Bound(low, high);
-}
-
-// History is stored in halves and so is off by up to 2^-10 of its largest channel. Where the
-// samples share a hue (a grey wall) a bound has no extent along it, and clipping along a line would
-// then take all of history's detail for that rounding: bounds are grown by twice the error.
-const float kBoundSlack = 2.0 / 1024.0;
-
-float boundSlack(vec3 history, vec3 current) {
-  vec3 largest = max(abs(history), abs(current));
-  return kBoundSlack * max(largest.x, max(largest.y, largest.z));
+  if (kClip == kClipCross) return crossExtremes(s);
+  return kClip == kClipRounded ? roundedExtremes(s) : squareExtremes(s);
 }
 
 // Along the line from the current sample, to where it leaves the slabs that hold all nine samples
@@ -128,12 +89,6 @@ vec3 smoothedAlongEdge(vec3 s[9], vec3 current) {
   // FXAA 3.11's default contrast threshold, 1/8 of full scale, as a ramp: Sobel sums 4 differences.
   float edge = clamp((steepness * 0.25 - 0.0625) * 16.0, 0.0, 1.0);
   return mix(current, sum / weight_sum, edge);
-}
-
-vec3 meanSample(vec3 s[9]) {
-  vec3 sum = vec3(0.0);
-  for (int i = 0; i < 9; ++i) sum += s[i];
-  return sum * (1.0 / 9.0);
 }
 
 #endif

@@ -5,6 +5,7 @@
 #include "reprise/reprise.h"
 // reprise.h first: shared headers are GLSL too and include no Vulkan header.
 #include "core/context.h"
+#include "core/sample_weights.h"
 #include "equations/filters.h"
 #include "techniques/taa/taa_settings.h"
 #include "techniques/taa/taa_shared.h"
@@ -43,24 +44,13 @@ float filterWeight(uint32_t filter, float width, float dx_px, float dy_px) {
   }
 }
 
-// Weights of the nine samples for the value at the pixel centre (eq. 1). The sample of the
-// neighbour at offset d lies at d - jitter from this pixel's centre.
+// Weights of the nine samples for the value at the pixel centre (eq. 1).
 void fillFilterWeights(const FrameState& state, TaaConstants& constants) {
-  float weights[9] = {};
-  float sum = 0.0f;
   const uint32_t filter = state.settings.choice(kInputFilter);
-  for (int i = 0; i < 9 && filter != kInputNone; ++i) {
-    const float dx_px = static_cast<float>(i % 3 - 1) - state.jitter_px.x;
-    const float dy_px = static_cast<float>(i / 3 - 1) - state.jitter_px.y;
-    weights[i] = filterWeight(filter, state.settings.real(kInputWidth), dx_px, dy_px);
-    sum += weights[i];
-  }
-  // A narrow box can miss all nine samples; then, as for `none`, the pixel's own stands.
-  if (!(sum > 1.0e-6f)) {
-    for (float& weight : weights) weight = 0.0f;
-    weights[4] = sum = 1.0f;
-  }
-  for (float& weight : weights) weight /= sum;
+  const float width = state.settings.real(kInputWidth);
+  const std::array<float, 9> weights = sampleWeights(
+      state.jitter_px,
+      [=](float dx_px, float dy_px) { return filterWeight(filter, width, dx_px, dy_px); });
   constants.filter_weights_0_3 = eq::vec4(weights[0], weights[1], weights[2], weights[3]);
   constants.filter_weights_4_7 = eq::vec4(weights[4], weights[5], weights[6], weights[7]);
   constants.filter_weight_8 = weights[8];

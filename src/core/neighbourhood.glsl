@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: MIT
+// The nine samples around a pixel, in any space: element 3 * (dy + 1) + (dx + 1).
+#ifndef REPRISE_CORE_NEIGHBOURHOOD_GLSL
+#define REPRISE_CORE_NEIGHBOURHOOD_GLSL
+
+#include "equations/clipping.h"
+
+vec3 weightedSample(vec3 s[9], vec4 weights_0_3, vec4 weights_4_7, float weight_8) {
+  return s[0] * weights_0_3.x + s[1] * weights_0_3.y + s[2] * weights_0_3.z + s[3] * weights_0_3.w +
+         s[4] * weights_4_7.x + s[5] * weights_4_7.y + s[6] * weights_4_7.z + s[7] * weights_4_7.w +
+         s[8] * weight_8;
+}
+
+vec3 meanSample(vec3 s[9]) {
+  vec3 sum = vec3(0.0);
+  for (int i = 0; i < 9; ++i) sum += s[i];
+  return sum * (1.0 / 9.0);
+}
+
+struct Moments {
+  vec3 mean;
+  vec3 deviation;
+};
+
+Moments moments(vec3 s[9]) {
+  vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  for (int i = 0; i < 9; ++i) {
+    sum += s[i];
+    sum_of_squares += s[i] * s[i];
+  }
+  vec3 mean = sum * (1.0 / 9.0);
+  return Moments(mean, sqrt(max(sum_of_squares * (1.0 / 9.0) - mean * mean, vec3(0.0))));
+}
+
+struct Bound {
+  vec3 low;
+  vec3 high;
+};
+
+Bound crossExtremes(vec3 s[9]) {
+  return Bound(min(min(min(s[1], s[3]), min(s[5], s[7])), s[4]),
+               max(max(max(s[1], s[3]), max(s[5], s[7])), s[4]));
+}
+
+Bound squareExtremes(vec3 s[9]) {
+  Bound plus = crossExtremes(s);
+  return Bound(min(plus.low, min(min(s[0], s[2]), min(s[6], s[8]))),
+               max(plus.high, max(max(s[0], s[2]), max(s[6], s[8]))));
+}
+
+// Karis 2014: the mean of both boxes rounds the square neighbourhood's corners.
+Bound roundedExtremes(vec3 s[9]) {
+  Bound plus = crossExtremes(s);
+  Bound square = squareExtremes(s);
+  return Bound(roundedBound(square.low, plus.low), roundedBound(square.high, plus.high));
+}
+
+// History is stored in halves and so is off by up to 2^-10 of its largest channel. Where the
+// samples share a hue (a grey wall) a bound has no extent along it, and clipping along a line would
+// then take all of history's detail for that rounding: bounds are grown by twice the error.
+const float kBoundSlack = 2.0 / 1024.0;
+
+float boundSlack(vec3 history, vec3 current) {
+  vec3 largest = max(abs(history), abs(current));
+  return kBoundSlack * max(largest.x, max(largest.y, largest.z));
+}
+
+#endif

@@ -201,9 +201,9 @@ void Context::prepare() {
 void Context::plan(uint64_t frame_index, RepriseSamplePlan& plan) const {
   const size_t size = plan.size;
   plan = {.size = size, .coarse_size = 1};
-  planner_->plan({frame_index, max_input_extent_, max_output_extent_, settings_,
-                  previous_.camera_moves},
-                 plan);
+  planner_->plan(
+      {frame_index, max_input_extent_, max_output_extent_, settings_, previous_.camera_moves},
+      plan);
 }
 
 FrameState Context::frameState(const RepriseFrame& frame, bool shaded) const {

@@ -23,7 +23,8 @@ struct PlanRequest {
   VkExtent2D input_extent;
   VkExtent2D output_extent;
   const Settings& settings;
-  // Whether the last two recorded frames had different cameras; false while fewer have come with one.
+  // Whether the last two recorded frames had different cameras; false while fewer have come with
+  // one.
   bool camera_moves;
 };
 

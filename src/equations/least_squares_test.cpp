@@ -157,8 +157,8 @@ TEST(LeastSquares, AnotherExposureIsTheSameModel) {
   EXPECT_NEAR(predictionVariance(exposedModel(m, 4.0f), z * 4.0f), predictionVariance(m, z), 1e-3f);
 }
 
-// 10,000 frames in single precision, about zero and about the feature, against the batch solution in
-// double.
+// 10,000 frames in single precision, about zero and about the feature, against the batch solution
+// in double.
 TEST(LeastSquares, TenThousandFramesEqualTheBatchSolution) {
   const vec3 first = wandering(0).y;
   Batch batch(first);
@@ -174,7 +174,8 @@ TEST(LeastSquares, TenThousandFramesEqualTheBatchSolution) {
     about_feature = shiftedModel(about_feature, s.z - origin);
     origin = s.z;
     about_feature = boundedModel(
-        updatedModel(about_feature, vec3(0.0f), s.y - about_feature.intercept, kLambda), 1e9f, kPrior);
+        updatedModel(about_feature, vec3(0.0f), s.y - about_feature.intercept, kLambda), 1e9f,
+        kPrior);
     if (t % 500 != 499) continue;
     const vec3 expected = batch.predicted(s.z);
     const auto variance = static_cast<float>(batch.variance(s.z));
@@ -210,7 +211,8 @@ TEST(LeastSquares, HalvesAboutTheFeatureStayCloseForTenThousandFrames) {
     batch.add(s);
     m = boundedModel(shiftedModel(m, s.z - origin), kPrior, kPrior);
     origin = s.z;
-    m = halves(boundedModel(updatedModel(m, vec3(0.0f), s.y - m.intercept, kLambda), kPrior, kPrior));
+    m = halves(
+        boundedModel(updatedModel(m, vec3(0.0f), s.y - m.intercept, kLambda), kPrior, kPrior));
     ASSERT_TRUE(std::isfinite(m.intercept.x) && std::isfinite(m.spread.x)) << t;
     if (t < 100) continue;
     const vec3 d = m.intercept - batch.predicted(s.z);
@@ -257,8 +259,8 @@ TEST(LeastSquares, BoundsCutVariancesAndTheirCovariances) {
   const LinearModel b = boundedModel(m, 1.0f, 4.0f);
   EXPECT_FLOAT_EQ(b.level, 1.0f);
   EXPECT_FLOAT_EQ(b.spread.y, 4.0f);
-  EXPECT_FLOAT_EQ(b.cross.x, 1.0f);    // halved by both
-  EXPECT_FLOAT_EQ(b.cross.z, -2.0f);   // -25, cut to -sqrt(1 * 4)
+  EXPECT_FLOAT_EQ(b.cross.x, 1.0f);   // halved by both
+  EXPECT_FLOAT_EQ(b.cross.z, -2.0f);  // -25, cut to -sqrt(1 * 4)
   EXPECT_FLOAT_EQ(b.spread_cross.x, 2.0f);
   const LinearModel low = boundedModel(constantModel(vec3(0.0f), -1.0f, 0.0f), 1.0f, 1.0f);
   EXPECT_EQ(low.level, kLeastVariance);

@@ -17,7 +17,8 @@ extern const TechniqueEntry kUe4TaaEntry;
 
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
-      kNoneEntry, kFxaaEntry, kReprojectionEntry, kUe4TaaEntry, kTaaEntry, kAmortizedEntry, kPhlmEntry,
+      kNoneEntry, kFxaaEntry,      kReprojectionEntry, kUe4TaaEntry,
+      kTaaEntry,  kAmortizedEntry, kPhlmEntry,
   };
   return kList;
 }

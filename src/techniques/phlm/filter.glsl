@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
-// Algorithm 1 of Iglesias-Guitian et al. 2016 for one pixel, whatever holds the models: the including
-// shader gives loadModel(px) and storeModel(px, model). Equation numbers refer to README.md.
+// Algorithm 1 of Iglesias-Guitian et al. 2016 for one pixel, whatever holds the models: the
+// including shader gives loadModel(px) and storeModel(px, model). Equation numbers refer to
+// README.md.
 #ifndef REPRISE_TECHNIQUES_PHLM_FILTER_GLSL
 #define REPRISE_TECHNIQUES_PHLM_FILTER_GLSL
 
@@ -88,7 +89,8 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
   }
   model = boundedModel(model, k.variance_limit, k.variance_limit);
 
-  Correction correction = correctedPrediction(k, s, y, prediction, origin.still ? k.box_still : 1.0);
+  Correction correction =
+      correctedPrediction(k, s, y, prediction, origin.still ? k.box_still : 1.0);
   bool unbounded = origin.still && k.box_still <= 0.0;
   if (correction.needed && !unbounded) {
     if (kClip == kClipReset) {

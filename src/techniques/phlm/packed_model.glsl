@@ -5,15 +5,16 @@
 //   slopes     9 times 14 bits: units of 1/512, [-16, 16)
 //   spread     3 times 8 bits: log2, 10 steps an octave, from 2^-12
 //   cross      3 times 8 bits and spread_cross 3 times 5 bits: as correlations
-// A slope beyond 16 or a correlation's last bits change the prediction by less than the feature moves
-// between two frames times those bits; the level and the intercept, which every prediction is made
-// of, keep half precision.
+// A slope beyond 16 or a correlation's last bits change the prediction by less than the feature
+// moves between two frames times those bits; the level and the intercept, which every prediction is
+// made of, keep half precision.
 #ifndef REPRISE_TECHNIQUES_PHLM_PACKED_MODEL_GLSL
 #define REPRISE_TECHNIQUES_PHLM_PACKED_MODEL_GLSL
 
 #include "equations/least_squares.h"
 
-// Variances of slopes: log2 in [-12, 13.5], from kLeastVariance to above what variance_limit allows.
+// Variances of slopes: log2 in [-12, 13.5], from kLeastVariance to above what variance_limit
+// allows.
 const float kSpreadLowest = -12.0;
 const float kSpreadSteps = 10.0;
 const float kSlopeSteps = 512.0;
@@ -50,7 +51,8 @@ struct PackedModel {
 };
 
 PackedModel packedModel(LinearModel m) {
-  uvec3 spread = uvec3(packedSpread(m.spread.x), packedSpread(m.spread.y), packedSpread(m.spread.z));
+  uvec3 spread =
+      uvec3(packedSpread(m.spread.x), packedSpread(m.spread.y), packedSpread(m.spread.z));
   vec3 kept = vec3(unpackedSpread(spread.x), unpackedSpread(spread.y), unpackedSpread(spread.z));
   // 15 bits.
   uint spread_cross = packedCorrelation(m.spread_cross.x, kept.x, kept.y, 15.0) |
@@ -85,8 +87,8 @@ LinearModel unpackedModel(uvec4 color, uvec4 rest) {
   m.slope_g =
       vec3(unpackedSlope(color.w >> 14u), unpackedSlope(rest.x), unpackedSlope(rest.x >> 14u));
   m.slope_b = vec3(unpackedSlope(rest.y), unpackedSlope(rest.y >> 14u), unpackedSlope(last_slope));
-  m.spread = vec3(unpackedSpread(rest.z), unpackedSpread(rest.z >> 8u),
-                  unpackedSpread(rest.z >> 16u));
+  m.spread =
+      vec3(unpackedSpread(rest.z), unpackedSpread(rest.z >> 8u), unpackedSpread(rest.z >> 16u));
   m.cross = vec3(unpackedCovariance(rest.w & 255u, m.level, m.spread.x, 127.0),
                  unpackedCovariance(rest.w >> 8u & 255u, m.level, m.spread.y, 127.0),
                  unpackedCovariance(rest.w >> 16u & 255u, m.level, m.spread.z, 127.0));

@@ -80,8 +80,8 @@ class Phlm final : public Technique {
     split_ = s.choice(kPasses) == 0;
     fxaa_on_ = s.choice(kInput) == 1;
     if (fxaa_on_) {
-      antialiased_ = d.history("antialiased input", VK_FORMAT_R16G16B16A16_SFLOAT,
-                               d.max_input_extent, 1);
+      antialiased_ =
+          d.history("antialiased input", VK_FORMAT_R16G16B16A16_SFLOAT, d.max_input_extent, 1);
       fxaa_.declare(d, fxaa::kBlendLinear);
     }
     feature_ = d.history("temporal feature and depth", VK_FORMAT_R16G16B16A16_SFLOAT,
@@ -101,13 +101,13 @@ class Phlm final : public Technique {
                                                   s.choice(kUpdateShare),
                                                   split_ ? 0u : 1u};
     if (split_) {
-      feature_pass_ = d.pass({.name = "feature",
-                              .spirv = kFeatureShader,
-                              .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                                           Binding::kLinear, Binding::kStorage,
-                                           Binding::kConstants},
-                              .constant_bytes = sizeof(PhlmConstants),
-                              .specialization = specialization});
+      feature_pass_ =
+          d.pass({.name = "feature",
+                  .spirv = kFeatureShader,
+                  .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
+                               Binding::kStorage, Binding::kConstants},
+                  .constant_bytes = sizeof(PhlmConstants),
+                  .specialization = specialization});
     }
     declareFilter(d, hardware, specialization);
   }
@@ -169,8 +169,8 @@ class Phlm final : public Technique {
     }
     unused_ = d.history("unused binding", VK_FORMAT_R16G16B16A16_SFLOAT, {1, 1}, 2);
     if (packed_ || d.settings.choice(kBilinear) == 0) return false;
-    return storage == kStorageHalf || (d.storable(VK_FORMAT_R32G32B32A32_SFLOAT) &&
-                                       d.storable(VK_FORMAT_R32G32_SFLOAT));
+    return storage == kStorageHalf ||
+           (d.storable(VK_FORMAT_R32G32B32A32_SFLOAT) && d.storable(VK_FORMAT_R32G32_SFLOAT));
   }
 
   void declareFilter(Declaration& d, bool hardware, const std::vector<uint32_t>& specialization) {

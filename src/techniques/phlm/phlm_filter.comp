@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Algorithm 1 with models in float images: the paper's 28 numbers, or the 22 distinct ones in single
-// or half precision.
+// Algorithm 1 with models in float images: the paper's 28 numbers, or the 22 distinct ones in
+// single or half precision.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 

@@ -43,10 +43,11 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     choiceSetting(kInput, "input", 0, kInputNames,
                   "what is filtered: the frame as rendered, or antialiased by FXAA first",
                   "Iglesias-Guitian et al. 2016, section 7.1"),
-    numberSetting(kInputWidth, "input_width", 0.0, 0.0, 1.0, "px",
-                  "deviation of a Gaussian that reconstructs the frame at the pixel's centre from the "
-                  "nine samples around it, by their jittered places; 0: the pixel's own sample",
-                  "Karis 2014; experiment: README.md"),
+    numberSetting(
+        kInputWidth, "input_width", 0.0, 0.0, 1.0, "px",
+        "deviation of a Gaussian that reconstructs the frame at the pixel's centre from the "
+        "nine samples around it, by their jittered places; 0: the pixel's own sample",
+        "Karis 2014; experiment: README.md"),
     choiceSetting(kUpdateShare, "update", 0, kUpdateNames,
                   "the share of models that learn from a frame, in turn; the others predict. Fewer "
                   "adapt more slowly",
@@ -65,16 +66,18 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kInitialVariance, "initial_variance", 1000.0, 0.01, 1000.0,
                   "variances of a sample",
                   "of a fresh model's colour; the first sample leaves about 1 of it", kPaper),
-    numberSetting(kSlopeVariance, "slope_variance", 1000.0, 0.0, 1000.0, "variances of a sample",
-                  "of a fresh model's slopes: large trusts the feature at once, 0 makes the model a "
-                  "running mean",
-                  "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
+    numberSetting(
+        kSlopeVariance, "slope_variance", 1000.0, 0.0, 1000.0, "variances of a sample",
+        "of a fresh model's slopes: large trusts the feature at once, 0 makes the model a "
+        "running mean",
+        "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
     numberSetting(kVarianceLimit, "variance_limit", 1000.0, 0.1, 10000.0, "variances of a sample",
                   "no variance winds up beyond this where the feature does not vary", kPaper),
-    choiceSetting(kClipModel, "clip", 1, kClipNames,
-                  "a prediction outside the box: the model forgets all but the colour where the ray "
-                  "meets it, or keeps its slopes and only moves there",
-                  "Iglesias-Guitian et al. 2016: reset; experiment: README.md"),
+    choiceSetting(
+        kClipModel, "clip", 1, kClipNames,
+        "a prediction outside the box: the model forgets all but the colour where the ray "
+        "meets it, or keeps its slopes and only moves there",
+        "Iglesias-Guitian et al. 2016: reset; experiment: README.md"),
     numberSetting(kClipVariance, "clip_variance", 0.3, 0.0, 1000.0, "variances of a sample",
                   "of the colour at the box: v weighs the current sample v / (v + 1)",
                   "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
@@ -97,10 +100,11 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     choiceSetting(kDilate, "dilation", 0, kDilationNames,
                   "whose motion a pixel takes: its own, or the closest surface's in the cross",
                   "Karis 2014; experiment: README.md"),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.0, 0.0, 1.0, "relative",
-                  "largest difference of depths that still is the same surface; 0: no test, the box "
-                  "alone decides",
-                  "Nehab et al. 2007; experiment: README.md"),
+    numberSetting(
+        kDepthTolerance, "depth_tolerance", 0.0, 0.0, 1.0, "relative",
+        "largest difference of depths that still is the same surface; 0: no test, the box "
+        "alone decides",
+        "Nehab et al. 2007; experiment: README.md"),
     numberSetting(kFeatureA, "feature_a", 0.125, 0.0, 16.0, "",
                   "adaptation of the temporal feature at rest", kPaper),
     numberSetting(kFeatureB, "feature_b", 0.25, 0.0, 16.0, "a px a frame",
@@ -108,10 +112,11 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kFeatureFloor, "feature_floor", 0.03, 0.0, 1.0, "",
                   "its least adaptation: without one it freezes where it lies on the range's end",
                   "experiment: README.md"),
-    choiceSetting(kFeatureWeighs, "feature_weighs", 0, kWeightNames,
-                  "whether the published alpha weighs the new low-passed colour or the old feature, "
-                  "which the text leaves open",
-                  "experiment: README.md"),
+    choiceSetting(
+        kFeatureWeighs, "feature_weighs", 0, kWeightNames,
+        "whether the published alpha weighs the new low-passed colour or the old feature, "
+        "which the text leaves open",
+        "experiment: README.md"),
     choiceSetting(kFeatureLowPass, "low_pass", 2, kLowPassNames,
                   "the feature's filter in space: none, 1 2 1 or 1 1 1 each way",
                   "Iglesias-Guitian et al. 2016 name none"),

@@ -48,18 +48,18 @@ struct PhlmConstants {
   vec4 filter_weights_0_3;
   vec4 filter_weights_4_7;
   vec4 filter_weight_8;
-  float lambda;            // forgetting factor
-  float level_variance;    // of a reset model's prediction, in units of one sample's
-  float spread_variance;   // of a reset model's slopes
-  float clip_variance;     // of a prediction that was brought into the box
-  float variance_limit;    // no variance grows beyond
-  float still_variance;    // 1 / largest number of samples at rest
-  float box_gamma;         // half-size of the variance box in standard deviations
-  float box_still;         // factor on the box's half-size where nothing moves
+  float lambda;           // forgetting factor
+  float level_variance;   // of a reset model's prediction, in units of one sample's
+  float spread_variance;  // of a reset model's slopes
+  float clip_variance;    // of a prediction that was brought into the box
+  float variance_limit;   // no variance grows beyond
+  float still_variance;   // 1 / largest number of samples at rest
+  float box_gamma;        // half-size of the variance box in standard deviations
+  float box_still;        // factor on the box's half-size where nothing moves
   float feature_a;
   float feature_b;
   float feature_floor;
-  float depth_tolerance;   // relative; 0: no test
+  float depth_tolerance;  // relative; 0: no test
 };
 
 #ifdef __cplusplus

@@ -58,7 +58,8 @@ Origin originOf(sampler2D depth_image, sampler2D motion_image, PhlmConstants k, 
   }
   Origin origin;
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
-  vec2 previous_px = (vec2(px) + 0.5 + motion_px) * (k.frame.previous_extent_px / k.frame.extent_px);
+  vec2 previous_px =
+      (vec2(px) + 0.5 + motion_px) * (k.frame.previous_extent_px / k.frame.extent_px);
   origin.px = clamp(previous_px, vec2(0.5), k.frame.previous_extent_px - 0.5);
   origin.view_depth =
       min(viewDepth(k.frame, texelFetch(depth_image, surface_px, 0).x), kFarthestHalf);
@@ -79,7 +80,8 @@ bool sameSurface(PhlmConstants k, Origin origin, ivec2 px, float history_depth) 
 vec3 lowPassed(vec3 s[9]) {
   if (kLowPass == kLowPassNone) return s[4];
   if (kLowPass == kLowPassBox) return meanSample(s);
-  return (s[0] + s[2] + s[6] + s[8] + 2.0 * (s[1] + s[3] + s[5] + s[7]) + 4.0 * s[4]) * (1.0 / 16.0);
+  return (s[0] + s[2] + s[6] + s[8] + 2.0 * (s[1] + s[3] + s[5] + s[7]) + 4.0 * s[4]) *
+         (1.0 / 16.0);
 }
 
 // Section 5.1 of the paper (eq. 2); `previous` is the feature where the pixel was.

@@ -15,30 +15,6 @@ constexpr double kReach = 3.5;
 // Of the fine texels: narrower kernels fall between them.
 constexpr double kNarrowest = 0.25;
 
-// Weights of the fine texels from `first` on for one output pixel.
-struct Taps {
-  size_t first = 0;
-  std::vector<float> weights;
-};
-
-Taps tapsAbout(double center, double deviation, size_t count) {
-  Taps taps;
-  const double sigma = std::max(deviation, kNarrowest);
-  const double reach = std::max(kReach * sigma, 1.0);
-  const auto low = static_cast<long>(std::ceil(center - reach - 0.5));
-  const auto high = static_cast<long>(std::floor(center + reach - 0.5));
-  double sum = 0.0;
-  std::vector<double> weights;
-  for (long i = low; i <= high; ++i) {
-    const double d = (static_cast<double>(i) + 0.5 - center) / sigma;
-    weights.push_back(std::exp(-0.5 * d * d));
-    sum += weights.back();
-  }
-  taps.first = static_cast<size_t>(std::clamp<long>(low, 0, static_cast<long>(count) - 1));
-  for (double weight : weights) taps.weights.push_back(static_cast<float>(weight / sum));
-  return taps;
-}
-
 // Smallest value of a function with one valley in [low, high], by golden section.
 double valley(double low, double high, double tolerance, const std::function<double(double)>& f) {
   const double ratio = 0.5 * (std::sqrt(5.0) - 1.0);
@@ -66,33 +42,6 @@ double valley(double low, double high, double tolerance, const std::function<dou
 
 constexpr double kTolerance_px = 2.0e-3;
 
-// At the border the nearest texel stands for those outside: only what lies a reach inside counts.
-FloatImage throughGaussian(const FloatImage& image, double sigma_px) {
-  const auto reach = static_cast<int>(std::ceil(kReach * sigma_px));
-  std::vector<float> weights;
-  float sum = 0.0f;
-  for (int i = -reach; i <= reach; ++i) {
-    weights.push_back(static_cast<float>(std::exp(-0.5 * i * i / (sigma_px * sigma_px))));
-    sum += weights.back();
-  }
-  const auto pass = [&](const FloatImage& from, bool across) {
-    FloatImage to(from.width, from.height, 1);
-    const int last = static_cast<int>(across ? from.width : from.height) - 1;
-    for (uint32_t y = 0; y < from.height; ++y) {
-      for (uint32_t x = 0; x < from.width; ++x) {
-        for (int i = -reach; i <= reach; ++i) {
-          const int at = std::clamp(static_cast<int>(across ? x : y) + i, 0, last);
-          const auto place = static_cast<uint32_t>(at);
-          *to.at(x, y) += weights[static_cast<size_t>(i + reach)] / sum *
-                          (across ? *from.at(place, y) : *from.at(x, place));
-        }
-      }
-    }
-    return to;
-  };
-  return pass(pass(image, true), false);
-}
-
 }  // namespace
 
 BlurFit::BlurFit(FloatImage fine, uint32_t scale, uint32_t margin_px)
@@ -103,15 +52,54 @@ BlurFit::BlurFit(FloatImage fine, uint32_t scale, uint32_t margin_px)
   }
 }
 
+BlurFit::Taps BlurFit::tapsOf(uint32_t px, double sigma_px,
+                              const std::vector<Displacement>& displacements,
+                              uint32_t fine_count) const {
+  const double sigma = std::max(sigma_px * scale_, kNarrowest);
+  const double reach = std::max(kReach * sigma, 1.0);
+  const auto centerOf = [&](const Displacement& d) {
+    return (px + margin_px_ + 0.5 + d.px) * scale_;
+  };
+  double low = centerOf(displacements.front());
+  double high = low;
+  for (const Displacement& d : displacements) {
+    low = std::min(low, centerOf(d));
+    high = std::max(high, centerOf(d));
+  }
+  Taps taps;
+  // Beyond the image there is nothing; the margin keeps that to the far tails.
+  taps.first = std::max(static_cast<long>(std::ceil(low - reach - 0.5)), 0L);
+  const long last = std::min(static_cast<long>(std::floor(high + reach - 0.5)),
+                             static_cast<long>(fine_count) - 1);
+  taps.weights.resize(static_cast<size_t>(last - taps.first + 1));
+  double sum = 0.0;
+  for (const Displacement& d : displacements) {
+    const double center = centerOf(d);
+    const long from = std::max(static_cast<long>(std::ceil(center - reach - 0.5)), taps.first);
+    const long to = std::min(static_cast<long>(std::floor(center + reach - 0.5)), last);
+    for (long i = from; i <= to; ++i) {
+      const double z = (static_cast<double>(i) + 0.5 - center) / sigma;
+      const double weight = d.weight * std::exp(-0.5 * z * z);
+      taps.weights[static_cast<size_t>(i - taps.first)] += static_cast<float>(weight);
+      sum += weight;
+    }
+  }
+  for (float& weight : taps.weights) weight = static_cast<float>(weight / sum);
+  return taps;
+}
+
 FloatImage BlurFit::blurred(double sigma_px, double shift_x_px, double shift_y_px) const {
+  return spread(sigma_px, {{shift_x_px, 1.0}}, {{shift_y_px, 1.0}});
+}
+
+FloatImage BlurFit::spread(double sigma_px, const std::vector<Displacement>& along_x,
+                           const std::vector<Displacement>& along_y) const {
   const uint32_t width = fine_.width / scale_ - 2 * margin_px_;
   const uint32_t height = fine_.height / scale_ - 2 * margin_px_;
-  const double scale = scale_;
-  const auto tapsOf = [&](uint32_t px, double shift_px, uint32_t count) {
-    return tapsAbout((px + margin_px_ + 0.5 + shift_px) * scale, sigma_px * scale, count);
-  };
   std::vector<Taps> columns;
-  for (uint32_t x = 0; x < width; ++x) columns.push_back(tapsOf(x, shift_x_px, fine_.width));
+  for (uint32_t x = 0; x < width; ++x) {
+    columns.push_back(tapsOf(x, sigma_px, along_x, fine_.width));
+  }
   // Rows of the fine image through the horizontal kernel, then the vertical kernel over them.
   FloatImage rows(width, fine_.height, 1);
   for (uint32_t y = 0; y < fine_.height; ++y) {
@@ -122,36 +110,34 @@ FloatImage BlurFit::blurred(double sigma_px, double shift_x_px, double shift_y_p
       *rows.at(x, y) = sum;
     }
   }
-  FloatImage blurred(width, height, 1);
+  FloatImage image(width, height, 1);
   for (uint32_t y = 0; y < height; ++y) {
-    const Taps taps = tapsOf(y, shift_y_px, fine_.height);
+    const Taps taps = tapsOf(y, sigma_px, along_y, fine_.height);
     for (size_t k = 0; k < taps.weights.size(); ++k) {
-      const float* row = rows.at(0, static_cast<uint32_t>(taps.first + k));
-      for (uint32_t x = 0; x < width; ++x) *blurred.at(x, y) += taps.weights[k] * row[x];
+      const float* row = rows.at(0, static_cast<uint32_t>(taps.first) + static_cast<uint32_t>(k));
+      for (uint32_t x = 0; x < width; ++x) *image.at(x, y) += taps.weights[k] * row[x];
     }
   }
-  return blurred;
+  return image;
 }
 
 double BlurFit::error(const FloatImage& image, double sigma_px, double shift_x_px,
                       double shift_y_px) const {
   const FloatImage candidate = blurred(sigma_px, shift_x_px, shift_y_px);
+  // A whole image, or its inside alone as blurred() makes it.
+  const uint32_t border_px = image.width == candidate.width ? 0 : margin_px_;
   double sum = 0.0;
   for (uint32_t y = 0; y < candidate.height; ++y) {
     for (uint32_t x = 0; x < candidate.width; ++x) {
-      const double d = *candidate.at(x, y) - *image.at(x + margin_px_, y + margin_px_);
+      const double d = *candidate.at(x, y) - *image.at(x + border_px, y + border_px);
       sum += d * d;
     }
   }
   return sum / static_cast<double>(candidate.texelCount());
 }
 
-BlurMatch BlurFit::bestSigma(const FloatImage& image, double detail_px) const {
-  if (detail_px > kLargestDetail_px) throw std::invalid_argument("the margin is made for less");
-  const FloatImage seen = detail_px > 0.0 ? throughGaussian(image, detail_px) : image;
-  const auto errorAt = [&](double sigma_px) {
-    return error(seen, std::hypot(sigma_px, detail_px), 0.0, 0.0);
-  };
+BlurMatch BlurFit::bestSigma(const FloatImage& image) const {
+  const auto errorAt = [&](double sigma_px) { return error(image, sigma_px, 0.0, 0.0); };
   BlurMatch match;
   match.sigma_px = valley(0.0, kLargestSigma_px, kTolerance_px, errorAt);
   match.mean_squared_error = errorAt(match.sigma_px);

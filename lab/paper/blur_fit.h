@@ -5,6 +5,7 @@
 #pragma once
 
 #include <cstdint>
+#include <vector>
 
 #include "lab/float_image.h"
 
@@ -17,6 +18,11 @@ struct BlurMatch {
   double mean_squared_error = 0.0;
 };
 
+struct Displacement {
+  double px;
+  double weight;
+};
+
 class BlurFit {
  public:
   // `fine`: one channel, linear, `scale` texels a px each way. Pixels nearer than `margin_px` to
@@ -26,19 +32,27 @@ class BlurFit {
   // The pixels inside the margin, through a Gaussian about the displaced pixel centres.
   FloatImage blurred(double sigma_px, double shift_x_px, double shift_y_px) const;
 
-  // Of `image`, one channel, linear, a texel a px: the deviation without displacement. With
-  // `detail_px` above 0 both sides pass a Gaussian of that deviation before they are compared: what
-  // is left sees the kernel's second moment, whatever its shape.
-  BlurMatch bestSigma(const FloatImage& image, double detail_px = 0.0) const;
+  // The same through samples at displacements along x and along y: a Gaussian about each.
+  FloatImage spread(double sigma_px, const std::vector<Displacement>& along_x,
+                    const std::vector<Displacement>& along_y) const;
+
+  // Of `image`, one channel, linear, a texel a px, whole or as blurred() makes it: the deviation
+  // without displacement.
+  BlurMatch bestSigma(const FloatImage& image) const;
   // Deviation and displacement, each displacement within kLargestShift_px.
   BlurMatch bestShift(const FloatImage& image) const;
 
   static constexpr double kLargestSigma_px = 3.0;
   static constexpr double kLargestShift_px = 1.0;
-  static constexpr double kLargestDetail_px = 4.0;
-  static constexpr double kWidestKernel_px = 3.5 * 5.0 + kLargestShift_px;  // 5 = hypot(3, 4)
+  static constexpr double kWidestKernel_px = 3.5 * kLargestSigma_px + kLargestShift_px;
 
  private:
+  struct Taps {  // weights of the fine texels from `first` on
+    long first = 0;
+    std::vector<float> weights;
+  };
+  Taps tapsOf(uint32_t px, double sigma_px, const std::vector<Displacement>& displacements,
+              uint32_t fine_count) const;
   double error(const FloatImage& image, double sigma_px, double shift_x_px,
                double shift_y_px) const;
 

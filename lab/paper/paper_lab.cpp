@@ -42,18 +42,18 @@ double sumOfMedians(const PassTimes& times, size_t first) {
   return sum;
 }
 
-// Without history a view at rest looks the same in every frame.
-uint32_t framesOf(const TechniqueChoice& choice, const std::string& run, uint32_t frames) {
-  const bool history = (choice.library->flags & REPRISE_TECHNIQUE_USES_HISTORY) != 0;
-  return isStill(run) && !history ? 1 : frames;
+bool keepsHistory(const TechniqueChoice& choice) {
+  return (choice.library->flags & REPRISE_TECHNIQUE_USES_HISTORY) != 0;
 }
 
 // A measurement on disk: figures in JSON, the last image in EXR beside it.
 OrderedJson measuredJson(const std::string& key, const Measured& measured) {
   return {{"key", key},
+          {"frames", measured.frames},
           {"psnr_db", measured.psnr_db},
           {"evaluations_per_pixel", measured.evaluations_per_pixel},
           {"render_ms", measured.render_ms},
+          {"shade_ms", measured.shade_ms},
           {"resolve_ms", measured.resolve_ms}};
 }
 
@@ -84,9 +84,11 @@ std::optional<Measured> readMeasured(const std::filesystem::path& stem, const st
     const OrderedJson json = OrderedJson::parse(readWholeFile(stem.string() + ".json"));
     if (json.at("key") != key) return std::nullopt;
     Measured measured;
+    measured.frames = json.at("frames").get<std::vector<uint32_t>>();
     measured.psnr_db = json.at("psnr_db").get<std::vector<double>>();
     measured.evaluations_per_pixel = json.at("evaluations_per_pixel");
     measured.render_ms = json.at("render_ms");
+    measured.shade_ms = json.at("shade_ms");
     measured.resolve_ms = json.at("resolve_ms");
     measured.last = rgbOf(readExr(stem.string() + ".exr"));
     return measured;
@@ -104,11 +106,15 @@ bool sceneIsHere(const std::string& scene) {
                      [&](const SceneInfo& info) { return info.name == scene; });
 }
 
-double Measured::meanPsnr(size_t first) const {
-  first = std::min(first, psnr_db.empty() ? 0 : psnr_db.size() - 1);
-  const auto begin = psnr_db.begin() + static_cast<std::ptrdiff_t>(first);
-  return std::accumulate(begin, psnr_db.end(), 0.0) /
-         static_cast<double>(std::max<size_t>(psnr_db.size() - first, 1));
+double Measured::meanPsnr(uint32_t first) const {
+  double sum = 0.0;
+  size_t count = 0;
+  for (size_t i = 0; i < frames.size(); ++i) {
+    if (frames[i] < first && i + 1 < frames.size()) continue;
+    sum += psnr_db[i];
+    ++count;
+  }
+  return sum / static_cast<double>(std::max<size_t>(count, 1));
 }
 
 PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
@@ -127,29 +133,41 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
       view.judged == Judged::kCentre ? ReferenceCoverage::kCentre : ReferenceCoverage::kPixel;
   options.reference.cache = cache;
   source_ = std::make_unique<SceneSource>(*device_, parseSceneRun(run), options);
-  Progress progress(fmt::format("reference of {} ({})", run, nameOf(view)), options.frames, quiet);
-  for (uint32_t frame = 0; frame < options.frames; ++frame) {
-    throwIfInterrupted();
-    // Frames that show the same share their reference, as all of a view at rest do.
-    source_->renderer().setFrame(frame, 0.0f);
-    const std::vector<uint8_t> content = source_->renderer().contentBytes();
-    const auto [known, fresh] =
-        reference_of_.try_emplace(hashBytes(content.data(), content.size()), references_.size());
-    if (fresh) {
-      references_.push_back(displayImage(*source_->reference(frame)));
-      // Each half has twice the variance of the whole, and their difference four times.
-      noise_.push_back(0.25 * std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
-    }
-    reference_of_frame_.push_back(known->second);
+  frames_ = options.frames;
+  // From the last one back, so that the longest history is judged.
+  const uint32_t step = std::max(scale.judge_every, 1u);
+  for (uint32_t frame = (frames_ - 1) % step; frame < frames_; frame += step) {
+    judged_frames_.push_back(frame);
+  }
+  Progress progress(fmt::format("reference of {} ({})", run, nameOf(view)), judged_frames_.size(),
+                    quiet);
+  for (const uint32_t frame : judged_frames_) {
+    addReference(frame);
     progress.step();
   }
+}
+
+void PaperScene::addReference(uint32_t frame) {
+  throwIfInterrupted();
+  if (reference_of_frame_.contains(frame)) return;
+  // Frames that show the same share their reference, as all of a view at rest do.
+  source_->renderer().setFrame(frame, 0.0f);
+  const std::vector<uint8_t> content = source_->renderer().contentBytes();
+  const auto [known, fresh] =
+      reference_of_.try_emplace(hashBytes(content.data(), content.size()), references_.size());
+  if (fresh) {
+    references_.push_back(displayImage(*source_->reference(frame)));
+    // Each half has twice the variance of the whole, and their difference four times.
+    noise_.push_back(0.25 * std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
+  }
+  reference_of_frame_[frame] = known->second;
 }
 
 double PaperScene::psnr(uint32_t frame, const FloatImage& linear) const {
   // An estimate may not fall below nothing.
   constexpr double kLeastShare = 0.02;
   const double error = meanSquaredError(reference(frame), displayImage(linear));
-  const double noise = noise_[reference_of_frame_[frame]];
+  const double noise = noise_[reference_of_frame_.at(frame)];
   return psnrDb(std::max(error - noise, kLeastShare * error));
 }
 
@@ -163,8 +181,9 @@ std::string PaperLab::key(const std::string& run, const std::string& technique,
                           const PaperView& view) const {
   const PaperScale& s = options_.scale;
   const bool still = isStill(run);
-  return fmt::format("{} by {} at {}x{}, {} frames, {} samples, judged by {}, reprise {}", run,
-                     technique, s.extent.width, s.extent.height, still ? s.still_frames : s.frames,
+  return fmt::format("{} by {} at {}x{}, {} frames, every {}, {} samples, judged by {}, reprise {}",
+                     run, technique, s.extent.width, s.extent.height,
+                     still ? s.still_frames : s.frames, s.judge_every,
                      still ? s.still_samples : s.samples, nameOf(view), repriseGetVersion());
 }
 
@@ -196,13 +215,19 @@ SequenceRun PaperLab::filter(const std::string& run, const std::string& techniqu
                              const PaperView& view) {
   PaperScene& open = scene(run, view);
   Resolver resolver(open.device(), parseTechnique(technique), open.source().info());
-  const uint32_t frames = framesOf(resolver.choice(), run, open.frames());
-  Progress progress(fmt::format("{} by {}", run, technique), frames, options_.quiet);
-  return runSequence(open.device(), open.source(), resolver, frames, false,
-                     [&](const FrameDone& frame) {
-                       done(frame);
-                       progress.step();
-                     });
+  std::vector<uint32_t> frames = open.judgedFrames();
+  if (keepsHistory(resolver.choice())) {
+    frames.resize(open.frames());
+    std::iota(frames.begin(), frames.end(), 0u);
+  } else if (isStill(run)) {
+    frames = {frames.back()};  // the same in every frame
+  }
+  Progress progress(fmt::format("{} by {}", run, technique), frames.size(), options_.quiet);
+  return runFrames(open.device(), open.source(), resolver, frames, false,
+                   [&](const FrameDone& frame) {
+                     done(frame);
+                     progress.step();
+                   });
 }
 
 const Measured& PaperLab::measure(const std::string& run, const std::string& technique,
@@ -223,14 +248,22 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
   const SequenceRun sequence = filter(
       run, technique,
       [&](const FrameDone& done) {
+        if (!open.isJudged(done.index)) return;
+        measured.frames.push_back(done.index);
         measured.psnr_db.push_back(open.psnr(done.index, done.image));
         last = done.image;
       },
       view);
-  const size_t first = warmUp(static_cast<uint32_t>(measured.psnr_db.size()));
+  // Times settle at once: the first frame builds caches, no more.
+  constexpr size_t kFirstTimed = 1;
   measured.evaluations_per_pixel = sequence.evaluations_per_pixel;
-  measured.render_ms = sumOfMedians(sequence.render_times, first);
-  measured.resolve_ms = sumOfMedians(sequence.resolve_times, first);
+  measured.render_ms = sumOfMedians(sequence.render_times, kFirstTimed);
+  measured.resolve_ms = sumOfMedians(sequence.resolve_times, kFirstTimed);
+  for (const auto& [name, ms] : sequence.render_times.medians(kFirstTimed)) {
+    const bool geometry = name == "transform" || name == "visibility" || name == "motion" ||
+                          name == "shadows" || name == "motion back";
+    if (!geometry) measured.shade_ms += ms;
+  }
   measured.last = displayImage(last);
   makeOutputDirectory(runs);
   writeExr(stem.string() + ".exr", exrOf(measured.last));

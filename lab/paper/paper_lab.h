@@ -5,6 +5,7 @@
 // with resumption not that of an earlier process either.
 #pragma once
 
+#include <algorithm>
 #include <filesystem>
 #include <functional>
 #include <map>
@@ -22,6 +23,7 @@ namespace reprise::lab {
 struct PaperScale {
   VkExtent2D extent{};
   uint32_t frames = 0;         // of a moving view
+  uint32_t judge_every = 1;    // frames from one that is compared with its reference to the next
   uint32_t still_frames = 0;   // of a still one
   uint32_t samples = 0;        // of a reference, a pixel
   uint32_t still_samples = 0;  // of the one reference of a still view
@@ -40,15 +42,19 @@ struct PaperView {
 };
 
 struct Measured {
-  std::vector<double> psnr_db;  // a frame
+  std::vector<uint32_t> frames;  // that were compared with their references
+  std::vector<double> psnr_db;   // one each
   double evaluations_per_pixel = 0.0;
-  double render_ms = 0.0;   // of a frame, median over the frames after the first few
+  double render_ms = 0.0;   // of a frame, median
+  double shade_ms = 0.0;    // of it, shading without geometry
   double resolve_ms = 0.0;  // likewise
   FloatImage last;          // display values of the last frame
 
-  double frame_ms() const { return render_ms + resolve_ms; }
-  // Mean over the frames from `first` on.
-  double meanPsnr(size_t first) const;
+  double frameMs() const { return render_ms + resolve_ms; }
+  // Where the shader dominates, geometry is nothing.
+  double shadedMs() const { return shade_ms + resolve_ms; }
+  // Mean over the frames from `first` on; of the last where there is none.
+  double meanPsnr(uint32_t first) const;
 };
 
 // A scene at the run's size on a device of its own, and its references.
@@ -59,11 +65,18 @@ class PaperScene {
 
   Device& device() { return *device_; }
   SceneSource& source() { return *source_; }
-  uint32_t frames() const { return static_cast<uint32_t>(reference_of_frame_.size()); }
-  // Display values.
-  const FloatImage& reference(uint32_t frame) const {
-    return references_[reference_of_frame_[frame]];
+  uint32_t frames() const { return frames_; }
+  // Every judge_every-th, the last among them.
+  const std::vector<uint32_t>& judgedFrames() const { return judged_frames_; }
+  bool isJudged(uint32_t frame) const {
+    return std::binary_search(judged_frames_.begin(), judged_frames_.end(), frame);
   }
+  // Display values, of a judged frame or one that was added.
+  const FloatImage& reference(uint32_t frame) const {
+    return references_[reference_of_frame_.at(frame)];
+  }
+  // Outside of a run: it renders.
+  void addReference(uint32_t frame);
   // PSNR of a technique's linear image against the frame's reference, whose own noise is taken
   // off: independent of the image, it adds its variance, known from the reference's two halves, to
   // the mean squared error.
@@ -75,7 +88,9 @@ class PaperScene {
   std::vector<FloatImage> references_;
   std::vector<double> noise_;                // mean squared error of each reference
   std::map<uint64_t, size_t> reference_of_;  // by a hash of what the frame shows
-  std::vector<size_t> reference_of_frame_;
+  std::map<uint32_t, size_t> reference_of_frame_;
+  std::vector<uint32_t> judged_frames_;
+  uint32_t frames_ = 0;
 };
 
 struct PaperLabOptions {
@@ -102,7 +117,8 @@ class PaperLab {
                           const PaperView& view = {});
   // The last one opened stays open.
   PaperScene& scene(const std::string& run, const PaperView& view = {});
-  // Runs `technique` over the scene as measure does, for experiments that look at every frame.
+  // Runs `technique` over the scene as measure does: all frames, or, where it keeps no history, the
+  // judged ones.
   SequenceRun filter(const std::string& run, const std::string& technique,
                      const std::function<void(const FrameDone&)>& done, const PaperView& view = {});
   // Frames at the start of a run of `frames` that do not count.

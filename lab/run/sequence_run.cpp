@@ -2,6 +2,7 @@
 #include "lab/run/sequence_run.h"
 
 #include <algorithm>
+#include <numeric>
 
 #include "lab/run/interrupt.h"
 
@@ -21,12 +22,21 @@ void addLight(FloatImage& image, const FloatImage& late) {
 
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
                         bool keep_images, const std::function<void(const FrameDone&)>& done) {
+  std::vector<uint32_t> all(frames);
+  std::iota(all.begin(), all.end(), 0u);
+  return runFrames(device, source, resolver, all, keep_images, done);
+}
+
+SequenceRun runFrames(Device& device, FrameSource& source, Resolver& resolver,
+                      std::span<const uint32_t> frames, bool keep_images,
+                      const std::function<void(const FrameDone&)>& done) {
   SequenceRun run;
   Timestamps timestamps(device, kMaxSpans);
   source.setTimestamps(&timestamps);
   source.takeEvaluations();
   const SourceInfo& info = source.info();
-  for (uint32_t index = 0; index < frames; ++index) {
+  for (size_t n = 0; n < frames.size(); ++n) {
+    const uint32_t index = frames[n];
     throwIfInterrupted();
     FrameInputs inputs;
     const SamplePlan plan = resolver.plan(index, &timestamps);
@@ -41,15 +51,16 @@ SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver,
     const auto resolve = std::stable_partition(spans.begin(), spans.end(), [&](const auto& span) {
       return std::find(names.begin(), names.end(), span.first) == names.end();
     });
-    run.resolve_times.add(index, {resolve, spans.end()});
-    run.render_times.add(index, {spans.begin(), resolve});
+    run.resolve_times.add(n, {resolve, spans.end()});
+    run.render_times.add(n, {spans.begin(), resolve});
     FloatImage image = download(device, resolver.output());
     if (inputs.late != nullptr) addLight(image, download(device, *inputs.late));
     if (done) done({index, inputs, image});
     if (keep_images) run.images.push_back(std::move(image));
   }
   source.setTimestamps(nullptr);
-  const double pixels = static_cast<double>(info.extent.width) * info.extent.height * frames;
+  const double pixels = static_cast<double>(info.extent.width) * info.extent.height *
+                        static_cast<double>(frames.size());
   run.evaluations_per_pixel = static_cast<double>(source.takeEvaluations()) / pixels;
   return run;
 }

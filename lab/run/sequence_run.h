@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <span>
 #include <vector>
 
 #include "lab/frame_inputs.h"
@@ -30,5 +31,9 @@ struct FrameDone {
 // still on the device; null is allowed. With `keep_images` false, images stay empty.
 SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver, uint32_t frames,
                         bool keep_images, const std::function<void(const FrameDone&)>& done);
+// These frames alone, in this order: for techniques without history.
+SequenceRun runFrames(Device& device, FrameSource& source, Resolver& resolver,
+                      std::span<const uint32_t> frames, bool keep_images,
+                      const std::function<void(const FrameDone&)>& done);
 
 }  // namespace reprise::lab

@@ -13,8 +13,8 @@ Paper amortizedPaper() {
           .citation =
               "Yang, Nehab, Sander, Sitthi-amorn, Lawrence, Hoppe 2009, \"Amortized "
               "Supersampling\", ACM TOG 28(5)",
-          .scale = {{192, 144}, 32, 128, 64, 256, 5, false},
-          .full = {{1024, 768}, 64, 256, 256, 1024, 9, true},
+          .scale = {{384, 288}, 40, 8, 128, 64, 256, 5, false},
+          .full = {{1024, 768}, 64, 4, 256, 256, 1024, 9, true},
           .experiments = {
               {"figure 1", "Close-ups", figure1},
               {"figure 3", "Blur of bilinear reprojection against equation (11)", figure3},

@@ -3,6 +3,8 @@
 // Figure 9: more evaluations where reprojection fails. How many, where, and what they are worth.
 #include <fmt/format.h>
 
+#include <map>
+
 #include "lab/metrics/display_space.h"
 #include "lab/paper/amortized/experiments.h"
 #include "lab/paper/amortized/subjects.h"
@@ -31,19 +33,19 @@ void adaptive(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   const PaperView view = subject.view();
   PaperScene& scene = lab.scene(subject.moving, view);
   const uint32_t first = PaperLab::warmUp(scene.frames());
-  std::vector<PixelMask> added;  // evaluations beyond the first, a frame each
+  const auto counts = [&](uint32_t frame) { return frame >= first && scene.isJudged(frame); };
+  std::map<uint32_t, PixelMask> added;  // evaluations beyond the first, by frame
   MaskedError adaptive_error;
   MaskedError single_error;
   double evaluations = 0.0;
-  uint32_t shown = first;
+  uint32_t shown = 0;
   FloatImage shown_adaptive;
   FloatImage shown_single;
   lab.filter(
       subject.moving, "amortized",
       [&](const FrameDone& done) {
-        added.push_back(addedEvaluations(scene.device(), done.inputs));
-        if (done.index < first) return;
-        const PixelMask& here = added.back();
+        if (!counts(done.index)) return;
+        const PixelMask& here = added[done.index] = addedEvaluations(scene.device(), done.inputs);
         const FloatImage display = displayImage(done.image);
         adaptive_error.add(here, scene.reference(done.index), display);
         for (const uint8_t n : here) evaluations += n;
@@ -56,14 +58,15 @@ void adaptive(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   lab.filter(
       subject.moving, "amortized:requests=false",
       [&](const FrameDone& done) {
-        if (done.index < first) return;
+        if (!counts(done.index)) return;
         const FloatImage display = displayImage(done.image);
         single_error.add(added[done.index], scene.reference(done.index), display);
         if (done.index == shown) shown_single = display;
       },
       view);
   const std::string& run = subject.moving;
-  const double pixels = static_cast<double>(shown_adaptive.texelCount()) * (scene.frames() - first);
+  const double pixels =
+      static_cast<double>(shown_adaptive.texelCount()) * static_cast<double>(added.size());
   outcome.report(run + ": pixels whose reprojection fails", std::nullopt,
                  100.0 * adaptive_error.shareInside(), "%");
   outcome.report(run + ": evaluations a pixel", std::nullopt, 1.0 + evaluations / pixels, "");

@@ -6,6 +6,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 
 #include "lab/metrics/display_space.h"
 #include "lab/paper/amortized/experiments.h"
@@ -56,13 +57,17 @@ void changingShading(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   const std::string ours = amortizedFor(lab, subject);
   PaperScene& scene = lab.scene(subject.moving);
   const uint32_t first = std::max(PaperLab::warmUp(scene.frames()), 1u);
-  std::vector<PixelMask> changed(scene.frames());
-  uint32_t shown = first;
+  const auto counts = [&](uint32_t frame) { return frame >= first && scene.isJudged(frame); };
+  for (const uint32_t frame : scene.judgedFrames()) {
+    if (counts(frame)) scene.addReference(frame - 1);
+  }
+  std::map<uint32_t, PixelMask> changed;
+  uint32_t shown = 0;
   FloatImage shown_ours;
   MaskedError ours_error;
   lab.filter(subject.moving, ours, [&](const FrameDone& done) {
-    if (done.index < first) return;
     const uint32_t t = done.index;
+    if (!counts(t)) return;
     changed[t] = changedShading(scene.reference(t), scene.reference(t - 1),
                                 download(scene.device(), *done.inputs.motion),
                                 addedEvaluations(scene.device(), done.inputs));
@@ -94,7 +99,7 @@ void changingShading(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   for (const char* technique : {"none", "ss:n=4"}) {
     MaskedError error;
     lab.filter(run, technique, [&](const FrameDone& done) {
-      if (done.index < first) return;
+      if (!counts(done.index)) return;
       const FloatImage display = displayImage(done.image);
       error.add(changed[done.index], scene.reference(done.index), display);
       if (done.index == shown) pictures.emplace_back(technique, display);

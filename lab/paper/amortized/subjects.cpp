@@ -47,7 +47,7 @@ const Subject& teapot() {
 }
 
 const std::vector<double>& residualTolerances() {
-  static const std::vector<double> tolerances = {0.002, 0.01, 0.03, 0.1, 0.3, 0.0};
+  static const std::vector<double> tolerances = {0.0005, 0.002, 0.01, 0.03, 0.1, 0.0};
   return tolerances;
 }
 
@@ -73,7 +73,7 @@ std::string amortizedFor(PaperLab& lab, const Subject& subject) {
 std::string bestReprojection(PaperLab& lab, const std::string& run, const PaperView& view) {
   std::string best;
   double best_db = 0.0;
-  for (const double alpha : {0.02, 0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8}) {
+  for (const double alpha : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8}) {
     const std::string technique = fmt::format("reprojection:alpha={}", alpha);
     const double db = movingPsnr(lab, run, technique, view);
     // PSNR has one peak over alpha: past it the search is over.
@@ -96,13 +96,13 @@ PixelMask addedEvaluations(Device& device, const FrameInputs& inputs) {
 double movingPsnr(PaperLab& lab, const std::string& run, const std::string& technique,
                   const PaperView& view) {
   const Measured& measured = lab.measure(run, technique, view);
-  return measured.meanPsnr(PaperLab::warmUp(static_cast<uint32_t>(measured.psnr_db.size())));
+  return measured.meanPsnr(PaperLab::warmUp(lab.scale().frames));
 }
 
 double stillPsnr(PaperLab& lab, const std::string& run, const std::string& technique,
                  const PaperView& view) {
   const Measured& measured = lab.measure(run, technique, view);
-  return measured.meanPsnr(measured.psnr_db.size() * 3 / 4);
+  return measured.meanPsnr(lab.scale().still_frames * 3 / 4);
 }
 
 }  // namespace reprise::lab::amortized

@@ -209,8 +209,8 @@ const RepriseTechniqueInfo kInfo = {
     .flags = REPRISE_TECHNIQUE_USES_HISTORY,
     .settings = kSettings.data(),
     .setting_count = kSettingCount,
-    .presets = kPresets,
-    .preset_count = 1,
+    .presets = nullptr,
+    .preset_count = 0,
 };
 
 }  // namespace

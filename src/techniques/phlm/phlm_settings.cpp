@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// The settings of `phlm`. Defaults come from the sweeps in README.md; preset `paper` is the method
-// as published.
+// The settings of `phlm`. Where a default is not the paper's, its source says so.
 #include "techniques/phlm/phlm_settings.h"
 
 namespace reprise::phlm {
@@ -130,36 +129,5 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "Iglesias-Guitian et al. 2016: hardware"),
 });
 const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
-
-namespace {
-
-constexpr RepriseSettingValue kPaperValues[] = {
-    {"storage", 0.0, "paper"},
-    {"jitter", 0.0, "still"},
-    {"passes", 0.0, "split"},
-    {"space", 0.0, "linear"},
-    {"lambda", 0.998, nullptr},
-    {"initial_variance", 1000.0, nullptr},
-    {"slope_variance", 1000.0, nullptr},
-    {"clip", 0.0, "reset"},
-    {"clip_variance", 1000.0, nullptr},
-    {"box", 0.0, "square"},
-    {"box_space", 0.0, "rgb"},
-    {"box_still", 0.0, nullptr},
-    {"history_filter", 0.0, "bilinear"},
-    {"dilation", 0.0, "none"},
-    {"feature_a", 0.125, nullptr},
-    {"feature_b", 0.25, nullptr},
-    {"feature_floor", 0.05, nullptr},
-    {"low_pass", 0.0, "tent"},
-};
-
-}  // namespace
-
-const ReprisePresetInfo kPresets[] = {
-    {"paper", kPaperValues, static_cast<uint32_t>(std::size(kPaperValues)),
-     "the method and the storage as published"},
-};
-const uint32_t kPresetCount = static_cast<uint32_t>(std::size(kPresets));
 
 }  // namespace reprise::phlm

@@ -43,7 +43,5 @@ constexpr uint32_t kJitterAlways = 1;
 constexpr uint32_t kJitterStill = 2;
 
 extern const std::array<RepriseSettingInfo, kSettingCount> kSettings;
-extern const ReprisePresetInfo kPresets[];
-extern const uint32_t kPresetCount;
 
 }  // namespace reprise::phlm

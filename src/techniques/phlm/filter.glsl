@@ -10,18 +10,17 @@
 const bool kAboutZero = kStorage == kStoragePaper;
 
 // The box of believable predictions (eq. 5), in RGB or YCoCg.
-Bound believable(PhlmConstants k, vec3 s[9], float widen) {
-  Bound bound;
+Bound believable(PhlmConstants k, vec3 s[9]) {
   if (kBox == kBoxVariance) {
     Moments m = moments(s);
-    bound = Bound(m.mean - k.box_gamma * m.deviation, m.mean + k.box_gamma * m.deviation);
-  } else if (kBox == kBoxRounded) {
-    bound = roundedExtremes(s);
-  } else {
-    bound = squareExtremes(s);
+    return Bound(m.mean - k.box_gamma * m.deviation, m.mean + k.box_gamma * m.deviation);
   }
+  return kBox == kBoxRounded ? roundedExtremes(s) : squareExtremes(s);
+}
+
+Bound widened(Bound bound, float factor) {
   vec3 centre = 0.5 * (bound.low + bound.high);
-  vec3 half_size = 0.5 * (bound.high - bound.low) * widen;
+  vec3 half_size = 0.5 * (bound.high - bound.low) * factor;
   return Bound(centre - half_size, centre + half_size);
 }
 
@@ -30,12 +29,21 @@ struct Correction {
   bool needed;
 };
 
-Correction correctedPrediction(PhlmConstants k, vec3 s[9], vec3 y, vec3 prediction, float widen) {
+Correction correctedPrediction(PhlmConstants k, vec3 s[9], vec3 y, vec3 feature, vec3 prediction,
+                               bool still) {
   vec3 box_s[9];
   for (int i = 0; i < 9; ++i) box_s[i] = kBoxYCoCg != 0u ? yCoCgFromRgb(s[i]) : s[i];
   vec3 target = kBoxYCoCg != 0u ? yCoCgFromRgb(y) : y;
   vec3 f = kBoxYCoCg != 0u ? yCoCgFromRgb(prediction) : prediction;
-  Bound bound = believable(k, box_s, widen);
+  Bound bound = believable(k, box_s);
+  if (kBoxFeature == kBoxFeatureAlways || (kBoxFeature == kBoxFeatureStill && still)) {
+    // A line thinner than a pixel leaves neighbourhoods that say nothing of it; the feature has
+    // seen it, and forgets what has gone.
+    vec3 steady = kBoxYCoCg != 0u ? yCoCgFromRgb(feature) : feature;
+    bound.low = min(bound.low, steady);
+    bound.high = max(bound.high, steady);
+  }
+  if (still) bound = widened(bound, k.box_still);
   float slack = boundSlack(f, target);
   vec3 low = bound.low - slack;
   vec3 high = bound.high + slack;
@@ -63,6 +71,14 @@ bool isSound(LinearModel m) {
          abs(m.intercept.z) < kMaxColor && m.level > 0.0;
 }
 
+// A model about zero as a mean that the feature does not move. About the feature it would do to
+// leave the slopes alone; brought back to zero their variance of 1000 z^2 would swallow the mean's
+// 1 / n in single precision. One that rests already is told by its covariances, which are 0.
+LinearModel restingModel(LinearModel m, vec3 z, float spread) {
+  bool rests = all(equal(m.cross, vec3(0.0)));
+  return constantModel(predictedColor(m, z), rests ? m.level : predictionVariance(m, z), spread);
+}
+
 struct Filtered {
   LinearModel model;
   vec3 color;
@@ -73,14 +89,16 @@ struct Filtered {
 Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, vec3 old_feature,
                        vec3 feature, Origin origin) {
   vec3 y = weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8.x);
-  // About the feature x = (1, 0), about zero x = (1, z).
-  vec3 z = kAboutZero ? feature : vec3(0.0);
+  // About the feature x = (1, 0), about zero x = (1, z). At rest the model stays where it was: a
+  // feature that still settles would add the slopes' variance to the mean's.
+  vec3 z = kAboutZero ? (origin.still ? old_feature : feature) : vec3(0.0);
   if (!kAboutZero) model = shiftedModel(model, origin.still ? vec3(0.0) : feature - old_feature);
   vec3 prediction = predictedColor(model, z);
   // One test for both, so that no number that is none passes.
   bool sound = isSound(model) && all(lessThan(abs(prediction), vec3(kMaxColor)));
   if (!origin.valid || !sound) {
     Filtered reset;
+    z = kAboutZero ? feature : vec3(0.0);
     reset.model = constantModel(y, k.level_variance, k.spread_variance);
     // The first sample is in: what eq. 3 leaves of the prior.
     reset.model = updatedModel(reset.model, z, vec3(0.0), k.lambda);
@@ -89,8 +107,7 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
   }
   model = boundedModel(model, k.variance_limit, k.variance_limit);
 
-  Correction correction =
-      correctedPrediction(k, s, y, prediction, origin.still ? k.box_still : 1.0);
+  Correction correction = correctedPrediction(k, s, y, feature, prediction, origin.still);
   bool unbounded = origin.still && k.box_still <= 0.0;
   if (correction.needed && !unbounded) {
     if (kClip == kClipReset) {
@@ -109,14 +126,12 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
   if (!isUpdated(px, k.frame.frame_number)) return result;
   if (origin.still) {
     // Only the intercept learns, and forgets nothing: the running mean (eq. 7).
-    LinearModel here = model;
-    if (kAboutZero) here = shiftedModel(model, feature);
+    LinearModel here = kAboutZero ? restingModel(model, z, k.spread_variance) : model;
     here.cross = vec3(0.0);
     here.level = max(here.level, k.still_variance);
     here = updatedModel(here, vec3(0.0), y - here.intercept, 1.0);
     result.color = here.intercept;
     result.model = here;
-    if (kAboutZero) result.model = shiftedModel(here, -feature);
     return result;
   }
   result.model = updatedModel(model, z, y - prediction, k.lambda);

@@ -16,5 +16,6 @@ layout(constant_id = 9) const uint kDilation = 0u;
 layout(constant_id = 10) const uint kStill = 0u;
 layout(constant_id = 11) const uint kUpdate = 0u;
 layout(constant_id = 12) const uint kFused = 0u;  // the filter makes the feature as well
+layout(constant_id = 13) const uint kBoxFeature = 0u;
 
 #endif

@@ -99,7 +99,8 @@ class Phlm final : public Technique {
                                                   s.choice(kDilate),
                                                   s.number(kStillFrames) > 0.0 ? 1u : 0u,
                                                   s.choice(kUpdateShare),
-                                                  split_ ? 0u : 1u};
+                                                  split_ ? 0u : 1u,
+                                                  s.choice(kBoxHolds)};
     if (split_) {
       feature_pass_ =
           d.pass({.name = "feature",
@@ -209,8 +210,8 @@ const RepriseTechniqueInfo kInfo = {
     .flags = REPRISE_TECHNIQUE_USES_HISTORY,
     .settings = kSettings.data(),
     .setting_count = kSettingCount,
-    .presets = nullptr,
-    .preset_count = 0,
+    .presets = kPresets,
+    .preset_count = 1,
 };
 
 }  // namespace

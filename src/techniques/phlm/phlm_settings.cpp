@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// The settings of `phlm`. Where a default is not the paper's, its source says so.
+// The settings of `phlm`. Where a default is not the paper's, its source says so; preset `paper` is
+// the method as published.
 #include "techniques/phlm/phlm_settings.h"
 
 namespace reprise::phlm {
@@ -15,6 +16,7 @@ constexpr const char* kSpaceNames[] = {"linear", "compressed", nullptr};
 constexpr const char* kClipNames[] = {"reset", "shift", nullptr};
 constexpr const char* kBoxNames[] = {"square", "rounded", "variance", nullptr};
 constexpr const char* kBoxSpaceNames[] = {"rgb", "ycocg", nullptr};
+constexpr const char* kBoxFeatureNames[] = {"never", "still", "always", nullptr};
 constexpr const char* kFilterNames[] = {"bilinear", "catmull-rom", nullptr};
 constexpr const char* kDilationNames[] = {"none", "cross", nullptr};
 constexpr const char* kWeightNames[] = {"new", "old", nullptr};
@@ -36,7 +38,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "when samples move about the pixel: never, in every frame, or only while the "
                   "camera of the last two frames rests (without cameras: always)",
                   "Iglesias-Guitian et al. 2016: still; experiment: README.md", 0),
-    integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames",
+    integerSetting(kJitterLength, "jitter_length", 64, 1, 1024, "frames",
                    "length of the R2 cycle of sample positions over the pixel, centred",
                    "experiment: README.md"),
     choiceSetting(kInput, "input", 0, kInputNames,
@@ -92,6 +94,10 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "factor on the box's size where nothing moves; 0: no box there. A tight box ends "
                   "convergence, none lets what only shading moves ghost",
                   "experiment: README.md"),
+    choiceSetting(kBoxHolds, "box_feature", 1, kBoxFeatureNames,
+                  "when the box also holds the temporal feature, which has seen lines thinner than "
+                  "a pixel where the neighbourhood is flat, and forgets shadows that have gone",
+                  "experiment: README.md"),
     choiceSetting(kModelFilter, "history_filter", 1, kFilterNames,
                   "how the colour of a model is read between pixels; slopes and variances always "
                   "bilinearly. Not for storage=paper and packed",
@@ -129,5 +135,37 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "Iglesias-Guitian et al. 2016: hardware"),
 });
 const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
+
+namespace {
+
+constexpr RepriseSettingValue kPaperValues[] = {
+    {"storage", 0.0, "paper"},
+    {"jitter", 0.0, "still"},
+    {"passes", 0.0, "split"},
+    {"space", 0.0, "linear"},
+    {"lambda", 0.998, nullptr},
+    {"initial_variance", 1000.0, nullptr},
+    {"slope_variance", 1000.0, nullptr},
+    {"clip", 0.0, "reset"},
+    {"clip_variance", 1000.0, nullptr},
+    {"box", 0.0, "square"},
+    {"box_space", 0.0, "rgb"},
+    {"box_still", 0.0, nullptr},
+    {"box_feature", 0.0, "never"},
+    {"history_filter", 0.0, "bilinear"},
+    {"dilation", 0.0, "none"},
+    {"feature_a", 0.125, nullptr},
+    {"feature_b", 0.25, nullptr},
+    {"feature_floor", 0.05, nullptr},
+    {"low_pass", 0.0, "tent"},
+};
+
+}  // namespace
+
+const ReprisePresetInfo kPresets[] = {
+    {"paper", kPaperValues, static_cast<uint32_t>(std::size(kPaperValues)),
+     "the method and the storage as published"},
+};
+const uint32_t kPresetCount = static_cast<uint32_t>(std::size(kPresets));
 
 }  // namespace reprise::phlm

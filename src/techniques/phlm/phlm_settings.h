@@ -24,6 +24,7 @@ enum Setting : uint32_t {
   kBoxSpace,
   kBoxGamma,
   kBoxStill,
+  kBoxHolds,
   kModelFilter,
   kDilate,
   kDepthTolerance,
@@ -43,5 +44,7 @@ constexpr uint32_t kJitterAlways = 1;
 constexpr uint32_t kJitterStill = 2;
 
 extern const std::array<RepriseSettingInfo, kSettingCount> kSettings;
+extern const ReprisePresetInfo kPresets[];
+extern const uint32_t kPresetCount;
 
 }  // namespace reprise::phlm

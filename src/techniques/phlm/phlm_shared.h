@@ -31,6 +31,10 @@ PHLM_CHOICE kBoxSquare = 0u;
 PHLM_CHOICE kBoxRounded = 1u;
 PHLM_CHOICE kBoxVariance = 2u;
 
+PHLM_CHOICE kBoxFeatureNever = 0u;
+PHLM_CHOICE kBoxFeatureStill = 1u;
+PHLM_CHOICE kBoxFeatureAlways = 2u;
+
 PHLM_CHOICE kLowPassNone = 0u;
 PHLM_CHOICE kLowPassTent = 1u;
 PHLM_CHOICE kLowPassBox = 2u;

@@ -57,8 +57,8 @@ vec2 textureExtent(uint name) {
 //
 // Anisotropy is filtered here, as EXT_texture_filter_anisotropic describes it, and not by the
 // sampler: N = ceil(min(P_max / P_min, kAnisotropy)) trilinear lookups along the longer gradient,
-// at the level log2(P_max / N). The same on every device, and bounded whatever the gradients:
-// lavapipe 22.3's own runs on for minutes where they are not finite.
+// at the level log2(P_max / N). The same on every device, and bounded whatever the gradients: with
+// lavapipe 22.3's own anisotropy a frame of `foliage` did not end in 100 s; why was not found out.
 vec4 sampleTexture(uint name, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   if (name == 0u) return vec4(1.0);
   if (kAnisotropy <= 1u) return lookUp(name, uv, uv_dx, uv_dy);

@@ -10,7 +10,7 @@
 
 const vec3 kRoomLow_m = vec3(-4.0, 0.0, -3.5);
 const vec3 kRoomHigh_m = vec3(4.0, 3.2, 3.5);
-// How bright a white wall is on average: what the room's lamps give, measured on its renders.
+// How bright a white wall is on average: about what the room's lamps give, chosen by eye.
 const vec3 kRoomGlow = vec3(0.62, 0.55, 0.47);
 
 vec3 roomWall(vec2 at_m) {

@@ -11,6 +11,7 @@ extern const TechniqueEntry kAmortizedEntry;
 extern const TechniqueEntry kFxaaEntry;
 extern const TechniqueEntry kNoneEntry;
 extern const TechniqueEntry kPhlmEntry;
+extern const TechniqueEntry kRepriseEntry;
 extern const TechniqueEntry kReprojectionEntry;
 extern const TechniqueEntry kTaaEntry;
 extern const TechniqueEntry kUe4TaaEntry;
@@ -18,7 +19,7 @@ extern const TechniqueEntry kUe4TaaEntry;
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
       kNoneEntry, kFxaaEntry,      kReprojectionEntry, kUe4TaaEntry,
-      kTaaEntry,  kAmortizedEntry, kPhlmEntry,
+      kTaaEntry,  kAmortizedEntry, kPhlmEntry,      kRepriseEntry,
   };
   return kList;
 }

@@ -19,15 +19,17 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D motion_image;
 layout(binding = 2) uniform sampler2D reactive_image;
-layout(binding = 3) uniform sampler2D residual_image;
+layout(binding = 3) uniform sampler2D predicted_image;
 layout(binding = 4) uniform sampler2D depth_image;          // this frame's, dilated, view depth
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: samples held
 layout(binding = 6) uniform sampler2D history_depth_image;
 layout(binding = 7) uniform sampler2D change_image;         // rgb mean residual, a its square
-layout(binding = 8) writeonly uniform image2D next_history_image;
-layout(binding = 9) writeonly uniform image2D next_change_image;
-layout(binding = 10) writeonly uniform image2D output_image;
-layout(binding = 11, std140) uniform Constants {
+layout(binding = 8) uniform sampler2D came_image;
+layout(binding = 9) uniform sampler2D told_image;
+layout(binding = 10) writeonly uniform image2D next_history_image;
+layout(binding = 11) writeonly uniform image2D next_change_image;
+layout(binding = 12) writeonly uniform image2D output_image;
+layout(binding = 13, std140) uniform Constants {
   RepriseConstants k;
 };
 
@@ -42,20 +44,37 @@ void main() {
   const ivec2 kCross[5] =
       ivec2[5](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
 
+  // Light that changed over a larger area.
+  vec2 tile_uv = (vec2(px) + 0.5) * k.tile_uv;
+  vec4 came = textureLod(came_image, tile_uv, 0.0);
+  vec4 told = textureLod(told_image, tile_uv, 0.0);
+  vec3 shift = came.rgb - told.rgb;
+  float tile_noise = came.a * told.a / k.tile_count;  // per share of valid, twice
+  float tile_believed = believedShare(dot(shift, shift), tile_noise, k.doubt_tile);
+  vec3 gain = clamp(came.rgb / max(told.rgb, vec3(1.0e-3)), vec3(0.25), vec3(4.0));
+  gain = mix(vec3(1.0), gain, tile_believed);
+
   // The residual of this frame, pooled over 3x3.
   vec3 samples[9];
   vec3 mean = vec3(0.0);
   float square = 0.0;
   float pooled = 0.0;
   int code = 0;
+  vec3 predicted_here = vec3(0.0);
   for (int i = 0; i < 9; ++i) {
     ivec2 at_px = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
-    samples[i] = yCoCgFromRgb(fetchColor(color_image, at_px, last_px));
-    vec4 residual = texelFetch(residual_image, at_px, 0);
-    float w = residual.a < 7.5 ? 1.0 : 0.0;
-    if (i == 4) code = int(residual.a + 0.5);
-    mean += w * residual.rgb;
-    square += w * dot(residual.rgb, residual.rgb);
+    vec3 color = fetchColor(color_image, at_px, last_px);
+    samples[i] = yCoCgFromRgb(color);
+    vec4 predicted = texelFetch(predicted_image, at_px, 0);
+    vec3 told_here = predicted.rgb * gain;
+    if (i == 4) {
+      code = int(predicted.a + 0.5);
+      predicted_here = told_here;
+    }
+    float w = predicted.a < 7.5 ? 1.0 : 0.0;
+    vec3 residual = (color - told_here) * (w / (lumaYCoCg(told_here) + kDarkest));
+    mean += residual;
+    square += dot(residual, residual);
     pooled += w;
   }
   mean /= max(pooled, 1.0);
@@ -82,6 +101,7 @@ void main() {
   float believed = known * believedShare(dot(change, change),
                                          noise * exponentialMeanVariance(weight), k.doubt_mean);
   vec3 follow = believed * change;
+  vec3 offset = follow * (lumaYCoCg(predicted_here) + kDarkest);
   imageStore(next_change_image, px, vec4(change - follow, known > 0.5 ? spread : 0.0));
 
   // Texels of history, in texels of the double grid: this pixel's are 2 px and 2 px + 1.
@@ -141,7 +161,7 @@ void main() {
     float has = weights[j] > 1.0e-3 ? 1.0 : 0.0;
     vec4 history = max(sum[j] / max(weights[j], 1.0e-3), vec4(0.0)) * has;
     vec3 then = sanitizedColor(history.rgb * k.frame.exposure_ratio);
-    then = linearFromResponse(clamp(responseFromLinear(then) + follow, vec3(0.0), vec3(0.9999)));
+    then = max(then * gain + offset, vec3(0.0));
     vec3 previous = yCoCgFromRgb(then);
     float slack = boundSlack(previous, samples[4]);
     vec3 half_size = gamma * m.deviation + slack;

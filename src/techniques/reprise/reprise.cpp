@@ -14,6 +14,9 @@ namespace {
 constexpr uint32_t kResidualShader[] = {
 #include "residual.comp.inc"
 };
+constexpr uint32_t kTileShader[] = {
+#include "tile.comp.inc"
+};
 constexpr uint32_t kAccumulateShader[] = {
 #include "accumulate.comp.inc"
 };
@@ -35,6 +38,10 @@ enum Setting : uint32_t {
   kX0,
   kX1,
   kX2,
+  kTileCount,
+  kDoubtTile,
+  kX3,
+  kX4,
   kSettingCount
 };
 
@@ -53,13 +60,22 @@ constexpr auto kSettings = settingTable({
     numberSetting(kEvidenceCount, "evidence_count", 3.0, 0.1, 16, "", "", "", 0),
     numberSetting(kForget, "forget", 0.75, 0.0, 1, "", "", "", 0),
     numberSetting(kX0, "x0", 8.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX1, "x1", 0.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX2, "x2", 0.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kX1, "x1", 1.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kX2, "x2", 0.01, -1e6, 1e6, "", "", "", 0),
+    numberSetting(kTileCount, "tile_count", 32.0, 0.1, 1e3, "", "", "", 0),
+    numberSetting(kDoubtTile, "doubt_tile", 4.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kX3, "x3", 0.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kX4, "x4", 0.0, 0.0, 1e6, "", "", "", 0),
 });
 static_assert(kSettings.size() == kSettingCount);
 
 // History texels a pixel and axis.
 constexpr uint32_t kTexels = 2;
+
+VkExtent2D tileExtent(VkExtent2D pixels) {
+  return {(pixels.width + kTileSize_px - 1) / kTileSize_px,
+          (pixels.height + kTileSize_px - 1) / kTileSize_px};
+}
 
 RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_extent) {
   const Settings& s = state.settings;
@@ -74,8 +90,9 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
     *weights[i] = eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), s.real(kSampleWidth));
     *weights[i] = std::max(*weights[i], 1.0e-3f);
   }
-  constants.history_extent_px = eq::vec2(static_cast<float>(pixel_extent.width),
-                                         static_cast<float>(pixel_extent.height));
+  const VkExtent2D tiles = tileExtent(pixel_extent);
+  constants.tile_uv = eq::vec2(1.0f / static_cast<float>(tiles.width * kTileSize_px),
+                               1.0f / static_cast<float>(tiles.height * kTileSize_px));
   constants.history_limit = s.real(kHistoryLimit);
   constants.still_limit = s.real(kStillLimit);
   constants.bound_wide = s.real(kBoundWide);
@@ -90,6 +107,10 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.x0 = s.real(kX0);
   constants.x1 = s.real(kX1);
   constants.x2 = s.real(kX2);
+  constants.tile_count = s.real(kTileCount);
+  constants.doubt_tile = s.real(kDoubtTile);
+  constants.x3 = s.real(kX3);
+  constants.x4 = s.real(kX4);
   return constants;
 }
 
@@ -110,21 +131,30 @@ class RepriseTechnique final : public Technique {
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, fine, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, pixel_extent_, 2);
     change_ = d.history("history change", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 2);
-    residual_ = d.history("residual", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
+    residual_ = d.history("predicted color", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
+    const VkExtent2D tiles = tileExtent(pixel_extent_);
+    came_ = d.history("tile samples", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    told_ = d.history("tile predictions", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
     residual_pass_ =
         d.pass({.name = "residual",
                 .spirv = kResidualShader,
-                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
-                             Binding::kTexel, Binding::kStorage, Binding::kStorage,
-                             Binding::kConstants},
+                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel,
+                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
+    tile_pass_ = d.pass({.name = "tile",
+                         .spirv = kTileShader,
+                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
+                                      Binding::kStorage, Binding::kConstants},
+                         .constant_bytes = sizeof(RepriseConstants),
+                         .specialization = {}});
     accumulate_pass_ =
         d.pass({.name = "accumulate",
                 .spirv = kAccumulateShader,
                 .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
                              Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
-                             Binding::kStorage, Binding::kStorage, Binding::kStorage,
+                             Binding::kLinear, Binding::kLinear, Binding::kStorage,
+                             Binding::kStorage, Binding::kStorage,
                              Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
@@ -135,10 +165,11 @@ class RepriseTechnique final : public Technique {
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& change = recorder.history(change_);
     const HistoryImage& residual = recorder.history(residual_);
+    const HistoryImage& came = recorder.history(came_);
+    const HistoryImage& told = recorder.history(told_);
     const RepriseConstants constants = repriseConstants(state, pixel_extent_);
     const uint64_t n = state.record;
     recorder.pass(residual_pass_)
-        .read(state.frame.color)
         .read(state.frame.depth)
         .read(state.frame.motion)
         .read(color.previous(n))
@@ -147,6 +178,13 @@ class RepriseTechnique final : public Technique {
         .write(residual.current(0))
         .constants(constants)
         .dispatch(state.input_extent);
+    recorder.pass(tile_pass_)
+        .read(state.frame.color)
+        .read(residual.current(0))
+        .write(came.current(0))
+        .write(told.current(0))
+        .constants(constants)
+        .dispatch(tileExtent(state.input_extent));
     recorder.pass(accumulate_pass_)
         .read(state.frame.color)
         .read(state.frame.motion)
@@ -156,6 +194,8 @@ class RepriseTechnique final : public Technique {
         .read(color.previous(n))
         .read(depth.previous(n))
         .read(change.previous(n))
+        .read(came.current(0))
+        .read(told.current(0))
         .write(color.current(n))
         .write(change.current(n))
         .write(state.frame.output.view)
@@ -169,7 +209,10 @@ class RepriseTechnique final : public Technique {
   HistoryHandle depth_ = 0;
   HistoryHandle change_ = 0;
   HistoryHandle residual_ = 0;
+  HistoryHandle came_ = 0;
+  HistoryHandle told_ = 0;
   PassHandle residual_pass_ = 0;
+  PassHandle tile_pass_ = 0;
   PassHandle accumulate_pass_ = 0;
 };
 

@@ -11,10 +11,19 @@ namespace reprise {
 namespace reprise_technique {
 #endif
 
+#ifdef __cplusplus
+#define REPRISE_NUMBER(type, name, value) constexpr type name = value
+#else
+#define REPRISE_NUMBER(type, name, value) const type name = value
+#endif
+REPRISE_NUMBER(int, kTileSize_px, 8);
+// Changes are relative to luma; what is darker than this counts as this dark.
+REPRISE_NUMBER(float, kDarkest, 0.02f);
+
 struct RepriseConstants {
   FrameConstants frame;
   vec4 texel_weights;     // of this frame's sample for the four texels of its pixel
-  vec2 history_extent_px; // of the history images, texels of the pixel grid
+  vec2 tile_uv;           // pixels to the coordinate of the tile images
   float history_limit;    // samples a texel's mean goes on to in motion
   float still_limit;      // and at rest
   float bound_wide;       // half-size of the bound without evidence, standard deviations
@@ -29,10 +38,14 @@ struct RepriseConstants {
   float x0;
   float x1;
   float x2;
+  float tile_count;
+  float doubt_tile;
+  float x3;
+  float x4;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 80);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 96);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

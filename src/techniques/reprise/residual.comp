@@ -7,19 +7,17 @@
 
 #include "core/frame_inputs.glsl"
 #include "core/workgroup.h"
-#include "equations/evidence.h"
 #include "techniques/reprise/reprise_shared.h"
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
-layout(binding = 0) uniform sampler2D color_image;
-layout(binding = 1) uniform sampler2D depth_image;
-layout(binding = 2) uniform sampler2D motion_image;
-layout(binding = 3) uniform sampler2D history_image;        // 2 x 2 texels a pixel
-layout(binding = 4) uniform sampler2D history_depth_image;  // view depth, dilated like ours
-layout(binding = 5) writeonly uniform image2D next_depth_image;
-layout(binding = 6) writeonly uniform image2D residual_image;  // rgb response, a: see below
-layout(binding = 7, std140) uniform Constants {
+layout(binding = 0) uniform sampler2D depth_image;
+layout(binding = 1) uniform sampler2D motion_image;
+layout(binding = 2) uniform sampler2D history_image;        // 2 x 2 texels a pixel
+layout(binding = 3) uniform sampler2D history_depth_image;  // view depth, dilated like ours
+layout(binding = 4) writeonly uniform image2D next_depth_image;
+layout(binding = 5) writeonly uniform image2D predicted_image;  // rgb linear, a: see below
+layout(binding = 6, std140) uniform Constants {
   RepriseConstants k;
 };
 
@@ -31,18 +29,24 @@ void main() {
   // The closest surface of the cross: silhouettes move with what they belong to.
   const ivec2 kCross[5] =
       ivec2[5](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
-  int closest = 0;
-  float best = texelFetch(depth_image, px, 0).x * k.frame.depth_order;
-  for (int i = 1; i < 5; ++i) {
+  float depths_now[5];
+  for (int i = 0; i < 5; ++i) {
     ivec2 at_px = clamp(px + kCross[i], ivec2(0), last_px);
-    float depth = texelFetch(depth_image, at_px, 0).x * k.frame.depth_order;
-    if (depth < best) {
-      best = depth;
+    depths_now[i] = viewDepth(k.frame, texelFetch(depth_image, at_px, 0).x);
+  }
+  int closest = 0;
+  float view_depth = depths_now[0];
+  for (int i = 1; i < 5; ++i) {
+    float opposite = depths_now[((i - 1) ^ 1) + 1];
+    float step = depths_now[0] - depths_now[i];
+    // A slope falls as much on one side as it rises on the other: no silhouette.
+    bool edge = step > 2.0 * abs(opposite - depths_now[0]) + k.x2 * depths_now[0];
+    if (edge && depths_now[i] < view_depth) {
+      view_depth = depths_now[i];
       closest = i;
     }
   }
   ivec2 surface_px = clamp(px + kCross[closest], ivec2(0), last_px);
-  float view_depth = viewDepth(k.frame, best * k.frame.depth_order);
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
 
   vec2 sample_px = vec2(px) + 0.5 - k.frame.jitter_px;
@@ -56,8 +60,6 @@ void main() {
 
   vec3 predicted = textureLod(history_image, inside_px * k.frame.history_texel_uv, 0.0).rgb;
   predicted = sanitizedColor(predicted * k.frame.exposure_ratio);
-  vec3 residual = responseFromLinear(fetchColor(color_image, px, last_px)) -
-                  responseFromLinear(predicted);
   imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));
-  imageStore(residual_image, px, vec4(residual, float(closest) + (valid ? 0.0 : 8.0)));
+  imageStore(predicted_image, px, vec4(predicted, float(closest) + (valid ? 0.0 : 8.0)));
 }

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: MIT
+//
+// Sums over 8 x 8 pixels of what was predicted and of what came: light that changed over a larger
+// area (eq. 5).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/frame_inputs.glsl"
+#include "core/workgroup.h"
+#include "equations/color_space.h"
+#include "techniques/reprise/reprise_shared.h"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+layout(binding = 0) uniform sampler2D color_image;
+layout(binding = 1) uniform sampler2D predicted_image;
+layout(binding = 2) writeonly uniform image2D came_image;  // rgb weighted mean, a: square of change
+layout(binding = 3) writeonly uniform image2D told_image;  // rgb weighted mean, a: share of valid
+layout(binding = 4, std140) uniform Constants {
+  RepriseConstants k;
+};
+
+void main() {
+  ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
+  ivec2 first_px = tile * kTileSize_px;
+  if (any(greaterThan(first_px, last_px))) return;
+  vec3 came = vec3(0.0);
+  vec3 told = vec3(0.0);
+  float square = 0.0;
+  float count = 0.0;
+  for (int y = 0; y < kTileSize_px; ++y) {
+    for (int x = 0; x < kTileSize_px; ++x) {
+      ivec2 px = min(first_px + ivec2(x, y), last_px);
+      vec4 predicted = texelFetch(predicted_image, px, 0);
+      vec3 color = fetchColor(color_image, px, last_px);
+      float w = (predicted.a < 7.5 ? 1.0 : 0.0) / (lumaYCoCg(predicted.rgb) + kDarkest);
+      vec3 change = w * (color - predicted.rgb);
+      came += w * color;
+      told += w * predicted.rgb;
+      square += dot(change, change);
+      count += predicted.a < 7.5 ? 1.0 : 0.0;
+    }
+  }
+  const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);
+  came = min(came * kShare, vec3(kMaxColor));
+  imageStore(came_image, tile, vec4(came, min(square * kShare, kMaxColor)));
+  imageStore(told_image, tile, vec4(told * kShare, count * kShare));
+}

@@ -24,19 +24,15 @@ layout(binding = 4) uniform sampler2D depth_image;          // this frame's, dil
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: samples held
 layout(binding = 6) uniform sampler2D history_depth_image;
 layout(binding = 7) uniform sampler2D change_image;         // rgb mean residual, a its square
-layout(binding = 8) uniform sampler2D came_image;
-layout(binding = 9) uniform sampler2D told_image;
-layout(binding = 10) writeonly uniform image2D next_history_image;
-layout(binding = 11) writeonly uniform image2D next_change_image;
-layout(binding = 12) writeonly uniform image2D output_image;
-layout(binding = 13, std140) uniform Constants {
+layout(binding = 8) uniform sampler2D gain_image;
+layout(binding = 9) writeonly uniform image2D next_history_image;
+layout(binding = 10) writeonly uniform image2D next_change_image;
+layout(binding = 11) writeonly uniform image2D output_image;
+layout(binding = 12, std140) uniform Constants {
   RepriseConstants k;
 };
 
 const float kStillMotion_px = 0.01;
-// What quantization leaves of a response: 1/255 of full scale is not seen.
-const float kResponseFloor = 1.0 / 65025.0;
-
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
@@ -46,13 +42,7 @@ void main() {
 
   // Light that changed over a larger area.
   vec2 tile_uv = (vec2(px) + 0.5) * k.tile_uv;
-  vec4 came = textureLod(came_image, tile_uv, 0.0);
-  vec4 told = textureLod(told_image, tile_uv, 0.0);
-  vec3 shift = came.rgb - told.rgb;
-  float tile_noise = came.a * told.a / k.tile_count;  // per share of valid, twice
-  float tile_believed = believedShare(dot(shift, shift), tile_noise, k.doubt_tile);
-  vec3 gain = clamp(came.rgb / max(told.rgb, vec3(1.0e-3)), vec3(0.25), vec3(4.0));
-  gain = mix(vec3(1.0), gain, tile_believed);
+  vec3 gain = textureLod(gain_image, tile_uv, 0.0).rgb;
 
   // The residual of this frame, pooled over 3x3.
   vec3 samples[9];
@@ -172,7 +162,10 @@ void main() {
     count *= 1.0 - k.x1 * believed;
     float w = k.texel_weights[j];
     float alpha = w / max(count + w, 1.0e-4);
-    vec3 value = mix(max(rgbFromYCoCg(bounded), vec3(0.0)), current, alpha);
+    float kept = k.x3 * (1.0 - clamp(clipped, 0.0, 1.0)) * (code < 8 ? 1.0 : 0.0);
+    vec3 base_value = max(rgbFromYCoCg(bounded), vec3(0.0));
+    vec3 target = current + kept * (base_value - predicted_here - offset);
+    vec3 value = max(mix(base_value, target, alpha), vec3(0.0));
     shown += 0.25 * value;
     ivec2 texel = 2 * px + ivec2(j & 1, j >> 1);
     imageStore(next_history_image, texel,

@@ -17,6 +17,9 @@ constexpr uint32_t kResidualShader[] = {
 constexpr uint32_t kTileShader[] = {
 #include "tile.comp.inc"
 };
+constexpr uint32_t kLightShader[] = {
+#include "light.comp.inc"
+};
 constexpr uint32_t kAccumulateShader[] = {
 #include "accumulate.comp.inc"
 };
@@ -55,17 +58,17 @@ constexpr auto kSettings = settingTable({
     numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0, 1.0, "", "", "", 0),
     numberSetting(kSharpness, "sharpness", 0.5, 0.0, 1.0, "", "", "", 0),
     numberSetting(kMemory, "memory", 0.3, 0.0, 1.0, "", "", "", 0),
-    numberSetting(kDoubtNow, "doubt_now", 6.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kDoubtMean, "doubt_mean", 4.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kDoubtNow, "doubt_now", 3.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kDoubtMean, "doubt_mean", 2.0, 0.0, 1e6, "", "", "", 0),
     numberSetting(kEvidenceCount, "evidence_count", 3.0, 0.1, 16, "", "", "", 0),
     numberSetting(kForget, "forget", 0.75, 0.0, 1, "", "", "", 0),
     numberSetting(kX0, "x0", 8.0, 0.0, 1e6, "", "", "", 0),
     numberSetting(kX1, "x1", 1.0, 0.0, 1e6, "", "", "", 0),
     numberSetting(kX2, "x2", 0.01, -1e6, 1e6, "", "", "", 0),
-    numberSetting(kTileCount, "tile_count", 32.0, 0.1, 1e3, "", "", "", 0),
-    numberSetting(kDoubtTile, "doubt_tile", 4.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kTileCount, "tile_count", 8.0, 0.1, 1e3, "", "", "", 0),
+    numberSetting(kDoubtTile, "doubt_tile", 2.0, 0.0, 1e6, "", "", "", 0),
     numberSetting(kX3, "x3", 0.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX4, "x4", 0.0, 0.0, 1e6, "", "", "", 0),
+    numberSetting(kX4, "x4", 4.0, 0.0, 1e6, "", "", "", 0),
 });
 static_assert(kSettings.size() == kSettingCount);
 
@@ -148,13 +151,20 @@ class RepriseTechnique final : public Technique {
                                       Binding::kStorage, Binding::kConstants},
                          .constant_bytes = sizeof(RepriseConstants),
                          .specialization = {}});
+    gain_ = d.history("light gain", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    light_pass_ = d.pass({.name = "light",
+                         .spirv = kLightShader,
+                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
+                                      Binding::kConstants},
+                         .constant_bytes = sizeof(RepriseConstants),
+                         .specialization = {}});
     accumulate_pass_ =
         d.pass({.name = "accumulate",
                 .spirv = kAccumulateShader,
                 .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
                              Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
-                             Binding::kLinear, Binding::kLinear, Binding::kStorage,
-                             Binding::kStorage, Binding::kStorage,
+                             Binding::kLinear, Binding::kStorage, Binding::kStorage,
+                             Binding::kStorage,
                              Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
@@ -166,6 +176,7 @@ class RepriseTechnique final : public Technique {
     const HistoryImage& change = recorder.history(change_);
     const HistoryImage& residual = recorder.history(residual_);
     const HistoryImage& came = recorder.history(came_);
+    const HistoryImage& gain = recorder.history(gain_);
     const HistoryImage& told = recorder.history(told_);
     const RepriseConstants constants = repriseConstants(state, pixel_extent_);
     const uint64_t n = state.record;
@@ -185,6 +196,12 @@ class RepriseTechnique final : public Technique {
         .write(told.current(0))
         .constants(constants)
         .dispatch(tileExtent(state.input_extent));
+    recorder.pass(light_pass_)
+        .read(came.current(0))
+        .read(told.current(0))
+        .write(gain.current(0))
+        .constants(constants)
+        .dispatch(tileExtent(state.input_extent));
     recorder.pass(accumulate_pass_)
         .read(state.frame.color)
         .read(state.frame.motion)
@@ -194,8 +211,7 @@ class RepriseTechnique final : public Technique {
         .read(color.previous(n))
         .read(depth.previous(n))
         .read(change.previous(n))
-        .read(came.current(0))
-        .read(told.current(0))
+        .read(gain.current(0))
         .write(color.current(n))
         .write(change.current(n))
         .write(state.frame.output.view)
@@ -211,8 +227,10 @@ class RepriseTechnique final : public Technique {
   HistoryHandle residual_ = 0;
   HistoryHandle came_ = 0;
   HistoryHandle told_ = 0;
+  HistoryHandle gain_ = 0;
   PassHandle residual_pass_ = 0;
   PassHandle tile_pass_ = 0;
+  PassHandle light_pass_ = 0;
   PassHandle accumulate_pass_ = 0;
 };
 

@@ -19,6 +19,8 @@ namespace reprise_technique {
 REPRISE_NUMBER(int, kTileSize_px, 8);
 // Changes are relative to luma; what is darker than this counts as this dark.
 REPRISE_NUMBER(float, kDarkest, 0.02f);
+// A change below 1/255 is not seen.
+REPRISE_NUMBER(float, kResponseFloor, 1.0f / 65025.0f);
 
 struct RepriseConstants {
   FrameConstants frame;

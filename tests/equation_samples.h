@@ -8,6 +8,7 @@
 #include "equations/amortized.h"
 #include "equations/clipping.h"
 #include "equations/color_space.h"
+#include "equations/evidence.h"
 #include "equations/filters.h"
 #include "equations/fxaa.h"
 #include "equations/hash.h"
@@ -19,7 +20,7 @@
 
 EQ_BEGIN
 
-EQ_CONST uint kEquationCount = 78u;
+EQ_CONST uint kEquationCount = 80u;
 
 EQ_FN vec4 wide2(vec2 v) {
   return vec4(v.x, v.y, 0.0f, 0.0f);
@@ -179,6 +180,11 @@ EQ_FN vec4 leastSquaresSample(uint which, uint s) {
   return wide1(featureAlpha(drawn(s, 1u), drawn(s, 2u), 8.0f * drawn(s, 3u), 0.125f, 0.25f));
 }
 
+EQ_FN vec4 evidenceSample(uint which, uint s) {
+  if (which == 0u) return wide1(exponentialMeanVariance(drawn(s, 1u)));
+  return wide1(believedShare(0.1f + drawn(s, 1u), drawn(s, 2u), 3.0f * drawn(s, 3u)));
+}
+
 // Equation `which` in [0, kEquationCount) on arguments of `seed`.
 EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 10u) return filterSample(which, seed);
@@ -189,7 +195,8 @@ EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 60u) return reprojectionSample(which - 51u, seed);
   if (which < 66u) return amortizedSample(which - 60u, seed);
   if (which < 70u) return fxaaSample(which - 66u, seed);
-  return leastSquaresSample(which - 70u, seed);
+  if (which < 78u) return leastSquaresSample(which - 70u, seed);
+  return evidenceSample(which - 78u, seed);
 }
 
 EQ_END

@@ -6,17 +6,6 @@
 #include "equations/language.h"
 EQ_BEGIN
 
-// The scale on which residuals are alike in light and in dark: the tone curve of the figures with
-// a square root in the place of the power 1 / 2.2. [0, 1).
-EQ_FN vec3 responseFromLinear(vec3 c) {
-  return sqrt(c / (c + vec3(1.0f)));
-}
-// Its inverse; a response of 1, which no colour reaches, comes back as 65504.
-EQ_FN vec3 linearFromResponse(vec3 r) {
-  vec3 v = r * r;
-  return v / max(vec3(1.0f) - v, vec3(1.0f / 65505.0f));
-}
-
 // Variance of an exponential mean of weight alpha, as a share of one sample's variance.
 EQ_FN float exponentialMeanVariance(float alpha) {
   return alpha / (2.0f - alpha);

@@ -19,7 +19,7 @@ extern const TechniqueEntry kUe4TaaEntry;
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
       kNoneEntry, kFxaaEntry,      kReprojectionEntry, kUe4TaaEntry,
-      kTaaEntry,  kAmortizedEntry, kPhlmEntry,      kRepriseEntry,
+      kTaaEntry,  kAmortizedEntry, kPhlmEntry,         kRepriseEntry,
   };
   return kList;
 }

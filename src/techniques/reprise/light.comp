@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 //
-// How light changed, a tile: as its surroundings say, then as the tile itself says (eq. 6, 7).
+// How light changed, a tile: as its surroundings say, then as the tile itself says (eq. 4 to 6).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -13,24 +13,40 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(binding = 0) uniform sampler2D came_image;
 layout(binding = 1) uniform sampler2D told_image;
-layout(binding = 2) writeonly uniform image2D gain_image;
-layout(binding = 3, std140) uniform Constants {
+layout(binding = 2) uniform sampler2D light_image;  // rgb shift of the frame before, a: its noise
+layout(binding = 3) writeonly uniform image2D next_light_image;
+layout(binding = 4) writeonly uniform image2D gain_image;
+layout(binding = 5, std140) uniform Constants {
   RepriseConstants k;
 };
+
+// Tiles on each side that are the surroundings: 40 px.
+const int kSurroundings = 2;
+// Samples of a tile that count as independent: aliasing of a straight edge errs along its length.
+const float kTileCount = 8.0;
+// Weight of a new difference in the mean of the squared differences from frame to frame.
+const float kNoiseMemory = 0.2;
+// A relative shift beyond this says no more.
+const float kMaxShift = 100.0;
+
+vec3 ratio(vec3 came, vec3 told) {
+  return clamp(came / max(told, vec3(1.0e-3)), vec3(0.25), vec3(4.0));
+}
 
 void main() {
   ivec2 tile = ivec2(gl_GlobalInvocationID.xy);
   ivec2 last_tile = (ivec2(k.frame.extent_px) - 1) / kTileSize_px;
   if (any(greaterThan(tile, last_tile))) return;
 
+  // Weighted means of the tiles, and the scatter of the tiles about them.
   vec3 came = vec3(0.0);
   vec3 told = vec3(0.0);
   vec3 shift_sum = vec3(0.0);
   float square = 0.0;
   float count = 0.0;
   float count_squares = 0.0;
-  for (int y = -2; y <= 2; ++y) {
-    for (int x = -2; x <= 2; ++x) {
+  for (int y = -kSurroundings; y <= kSurroundings; ++y) {
+    for (int x = -kSurroundings; x <= kSurroundings; ++x) {
       ivec2 at = tile + ivec2(x, y);
       if (any(lessThan(at, ivec2(0))) || any(greaterThan(at, last_tile))) continue;
       vec4 c = texelFetch(came_image, at, 0);
@@ -48,15 +64,24 @@ void main() {
   vec3 mean = shift_sum / max(count, 1.0e-3);
   float tiles = count * count / max(count_squares, 1.0e-3);
   float variance = max(square / max(count, 1.0e-3) - dot(mean, mean), 0.0) / max(tiles - 1.0, 0.1);
-  float believed = believedShare(dot(mean, mean), variance + kResponseFloor, k.doubt_tile);
-  vec3 gain = clamp(came / max(told, vec3(1.0e-3)), vec3(0.25), vec3(4.0));
+  // The noise that frames show: light goes one way for a while, aliasing turns with the jitter.
+  vec4 then = texelFetch(light_image, tile, 0);
+  float noise = then.a * k.frame.has_history;
+  vec3 step = mean - then.rgb;
+  float next_noise = mix(noise, 0.5 * dot(step, step), kNoiseMemory);
+  imageStore(next_light_image, tile,
+             vec4(clamp(mean, vec3(-kMaxShift), vec3(kMaxShift)), min(next_noise, kMaxColor)));
+  float believed =
+      believedShare(dot(mean, mean), variance + noise + kSmallestSquare, k.doubt_light);
+  vec3 gain = ratio(came, told);
   gain = mix(vec3(1.0), gain, believed);
 
   // What of its own the tile says beyond that.
   vec4 c = texelFetch(came_image, tile, 0);
   vec4 t = texelFetch(told_image, tile, 0);
   vec3 rest = c.rgb - t.rgb * gain;
-  float own = believedShare(dot(rest, rest), c.a * t.a / k.tile_count, k.x4);
-  gain = mix(gain, clamp(c.rgb / max(t.rgb, vec3(1.0e-3)), vec3(0.25), vec3(4.0)), own);
+  float own_noise = t.a * (c.a / kTileCount + t.a * noise);
+  float own = believedShare(dot(rest, rest), own_noise, 2.0 * k.doubt_light);
+  gain = mix(gain, ratio(c.rgb, t.rgb), own);
   imageStore(gain_image, tile, vec4(gain, 1.0));
 }

@@ -1,18 +1,19 @@
 // SPDX-License-Identifier: MIT
-#include <cmath>
-
 #include "reprise/reprise.h"
+
+#include <cmath>
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
 #include "core/context.h"
 #include "equations/filters.h"
 #include "equations/jitter_sequence.h"
+#include "techniques/reprise/reprise_settings.h"
 #include "techniques/reprise/reprise_shared.h"
 
 namespace reprise::reprise_technique {
 namespace {
 
-constexpr uint32_t kResidualShader[] = {
-#include "residual.comp.inc"
+constexpr uint32_t kPredictShader[] = {
+#include "predict.comp.inc"
 };
 constexpr uint32_t kTileShader[] = {
 #include "tile.comp.inc"
@@ -24,56 +25,10 @@ constexpr uint32_t kAccumulateShader[] = {
 #include "accumulate.comp.inc"
 };
 
-enum Setting : uint32_t {
-  kJitterLength,
-  kSampleWidth,
-  kHistoryLimit,
-  kStillLimit,
-  kBoundWide,
-  kBoundTight,
-  kDepthTolerance,
-  kSharpness,
-  kMemory,
-  kDoubtNow,
-  kDoubtMean,
-  kEvidenceCount,
-  kForget,
-  kX0,
-  kX1,
-  kX2,
-  kTileCount,
-  kDoubtTile,
-  kX3,
-  kX4,
-  kSettingCount
-};
-
-constexpr auto kSettings = settingTable({
-    integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames", "", "", 0),
-    numberSetting(kSampleWidth, "sample_width", 0.3, 0.05, 1.0, "px", "", "", 0),
-    numberSetting(kHistoryLimit, "history_limit", 4.0, 0.0, 64.0, "samples", "", "", 0),
-    numberSetting(kStillLimit, "still_limit", 256.0, 0.0, 1024.0, "samples", "", "", 0),
-    numberSetting(kBoundWide, "bound_wide", 3.0, 0.0, 64.0, "", "", "", 0),
-    numberSetting(kBoundTight, "bound_tight", 1.0, 0.0, 64.0, "", "", "", 0),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0, 1.0, "", "", "", 0),
-    numberSetting(kSharpness, "sharpness", 0.5, 0.0, 1.0, "", "", "", 0),
-    numberSetting(kMemory, "memory", 0.3, 0.0, 1.0, "", "", "", 0),
-    numberSetting(kDoubtNow, "doubt_now", 3.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kDoubtMean, "doubt_mean", 2.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kEvidenceCount, "evidence_count", 3.0, 0.1, 16, "", "", "", 0),
-    numberSetting(kForget, "forget", 0.75, 0.0, 1, "", "", "", 0),
-    numberSetting(kX0, "x0", 8.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX1, "x1", 1.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX2, "x2", 0.01, -1e6, 1e6, "", "", "", 0),
-    numberSetting(kTileCount, "tile_count", 8.0, 0.1, 1e3, "", "", "", 0),
-    numberSetting(kDoubtTile, "doubt_tile", 2.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX3, "x3", 0.0, 0.0, 1e6, "", "", "", 0),
-    numberSetting(kX4, "x4", 4.0, 0.0, 1e6, "", "", "", 0),
-});
-static_assert(kSettings.size() == kSettingCount);
-
 // History texels a pixel and axis.
 constexpr uint32_t kTexels = 2;
+// A texel far from the sample still learns a little: 0 / 0 otherwise.
+constexpr float kSmallestWeight = 1.0e-3f;
 
 VkExtent2D tileExtent(VkExtent2D pixels) {
   return {(pixels.width + kTileSize_px - 1) / kTileSize_px,
@@ -90,30 +45,29 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
     // The sample lies at -jitter from the pixel's centre, texels at a quarter pixel from it.
     const float dx_px = (i & 1 ? 0.25f : -0.25f) + state.jitter_px.x;
     const float dy_px = (i >> 1 ? 0.25f : -0.25f) + state.jitter_px.y;
-    *weights[i] = eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), s.real(kSampleWidth));
-    *weights[i] = std::max(*weights[i], 1.0e-3f);
+    *weights[i] =
+        eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), s.real(kSampleWidth));
+    *weights[i] = std::max(*weights[i], kSmallestWeight);
   }
   const VkExtent2D tiles = tileExtent(pixel_extent);
+  const VkExtent2D used = tileExtent(state.input_extent);
   constants.tile_uv = eq::vec2(1.0f / static_cast<float>(tiles.width * kTileSize_px),
                                1.0f / static_cast<float>(tiles.height * kTileSize_px));
-  constants.history_limit = s.real(kHistoryLimit);
-  constants.still_limit = s.real(kStillLimit);
-  constants.bound_wide = s.real(kBoundWide);
-  constants.bound_tight = s.real(kBoundTight);
-  constants.depth_tolerance = s.real(kDepthTolerance);
+  constants.last_tile_uv =
+      eq::vec2((static_cast<float>(used.width) - 0.5f) / static_cast<float>(tiles.width),
+               (static_cast<float>(used.height) - 0.5f) / static_cast<float>(tiles.height));
+  constants.history = s.real(kHistory);
+  constants.still_history = s.real(kStillHistory);
+  constants.bound = s.real(kBound);
+  constants.bound_changed = s.real(kBoundChanged);
+  constants.bound_still = s.real(kBoundStill);
+  constants.forget_clipped = s.real(kForgetClipped);
+  constants.forget_changed = s.real(kForgetChanged);
   constants.sharpness = s.real(kSharpness);
-  constants.memory = s.real(kMemory);
+  constants.depth_tolerance = s.real(kDepthTolerance);
+  constants.doubt_light = s.real(kDoubtLight);
   constants.doubt_now = s.real(kDoubtNow);
   constants.doubt_mean = s.real(kDoubtMean);
-  constants.evidence_count = s.real(kEvidenceCount);
-  constants.forget = s.real(kForget);
-  constants.x0 = s.real(kX0);
-  constants.x1 = s.real(kX1);
-  constants.x2 = s.real(kX2);
-  constants.tile_count = s.real(kTileCount);
-  constants.doubt_tile = s.real(kDoubtTile);
-  constants.x3 = s.real(kX3);
-  constants.x4 = s.real(kX4);
   return constants;
 }
 
@@ -134,13 +88,13 @@ class RepriseTechnique final : public Technique {
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, fine, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, pixel_extent_, 2);
     change_ = d.history("history change", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 2);
-    residual_ = d.history("predicted color", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
+    predicted_ = d.history("predicted color", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
     const VkExtent2D tiles = tileExtent(pixel_extent_);
     came_ = d.history("tile samples", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
     told_ = d.history("tile predictions", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
-    residual_pass_ =
-        d.pass({.name = "residual",
-                .spirv = kResidualShader,
+    predict_pass_ =
+        d.pass({.name = "predict",
+                .spirv = kPredictShader,
                 .bindings = {Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel,
                              Binding::kStorage, Binding::kStorage, Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
@@ -151,21 +105,21 @@ class RepriseTechnique final : public Technique {
                                       Binding::kStorage, Binding::kConstants},
                          .constant_bytes = sizeof(RepriseConstants),
                          .specialization = {}});
+    light_ = d.history("light shift", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 2);
     gain_ = d.history("light gain", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
     light_pass_ = d.pass({.name = "light",
-                         .spirv = kLightShader,
-                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
-                                      Binding::kConstants},
-                         .constant_bytes = sizeof(RepriseConstants),
-                         .specialization = {}});
+                          .spirv = kLightShader,
+                          .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                                       Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                          .constant_bytes = sizeof(RepriseConstants),
+                          .specialization = {}});
     accumulate_pass_ =
         d.pass({.name = "accumulate",
                 .spirv = kAccumulateShader,
                 .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
                              Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kLinear,
                              Binding::kLinear, Binding::kStorage, Binding::kStorage,
-                             Binding::kStorage,
-                             Binding::kConstants},
+                             Binding::kStorage, Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
   }
@@ -174,24 +128,24 @@ class RepriseTechnique final : public Technique {
     const HistoryImage& color = recorder.history(color_);
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& change = recorder.history(change_);
-    const HistoryImage& residual = recorder.history(residual_);
+    const HistoryImage& predicted = recorder.history(predicted_);
     const HistoryImage& came = recorder.history(came_);
     const HistoryImage& gain = recorder.history(gain_);
     const HistoryImage& told = recorder.history(told_);
     const RepriseConstants constants = repriseConstants(state, pixel_extent_);
     const uint64_t n = state.record;
-    recorder.pass(residual_pass_)
+    recorder.pass(predict_pass_)
         .read(state.frame.depth)
         .read(state.frame.motion)
         .read(color.previous(n))
         .read(depth.previous(n))
         .write(depth.current(n))
-        .write(residual.current(0))
+        .write(predicted.current(0))
         .constants(constants)
         .dispatch(state.input_extent);
     recorder.pass(tile_pass_)
         .read(state.frame.color)
-        .read(residual.current(0))
+        .read(predicted.current(0))
         .write(came.current(0))
         .write(told.current(0))
         .constants(constants)
@@ -199,6 +153,8 @@ class RepriseTechnique final : public Technique {
     recorder.pass(light_pass_)
         .read(came.current(0))
         .read(told.current(0))
+        .read(recorder.history(light_).previous(n))
+        .write(recorder.history(light_).current(n))
         .write(gain.current(0))
         .constants(constants)
         .dispatch(tileExtent(state.input_extent));
@@ -206,7 +162,7 @@ class RepriseTechnique final : public Technique {
         .read(state.frame.color)
         .read(state.frame.motion)
         .read(recorder.orFloatPlaceholder(state.frame.reactive))
-        .read(residual.current(0))
+        .read(predicted.current(0))
         .read(depth.current(n))
         .read(color.previous(n))
         .read(depth.previous(n))
@@ -224,11 +180,12 @@ class RepriseTechnique final : public Technique {
   HistoryHandle color_ = 0;
   HistoryHandle depth_ = 0;
   HistoryHandle change_ = 0;
-  HistoryHandle residual_ = 0;
+  HistoryHandle predicted_ = 0;
   HistoryHandle came_ = 0;
   HistoryHandle told_ = 0;
   HistoryHandle gain_ = 0;
-  PassHandle residual_pass_ = 0;
+  HistoryHandle light_ = 0;
+  PassHandle predict_pass_ = 0;
   PassHandle tile_pass_ = 0;
   PassHandle light_pass_ = 0;
   PassHandle accumulate_pass_ = 0;

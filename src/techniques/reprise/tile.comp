@@ -1,14 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// Sums over 8 x 8 pixels of what was predicted and of what came: light that changed over a larger
-// area (eq. 5).
+// Sums over 8 x 8 pixels of what was foretold and of what came (eq. 3).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
 #include "core/frame_inputs.glsl"
 #include "core/workgroup.h"
-#include "equations/color_space.h"
-#include "techniques/reprise/reprise_shared.h"
+#include "techniques/reprise/prediction.glsl"
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
@@ -34,12 +32,12 @@ void main() {
       ivec2 px = min(first_px + ivec2(x, y), last_px);
       vec4 predicted = texelFetch(predicted_image, px, 0);
       vec3 color = fetchColor(color_image, px, last_px);
-      float w = (predicted.a < 7.5 ? 1.0 : 0.0) / (lumaYCoCg(predicted.rgb) + kDarkest);
+      float w = isPredicted(predicted) * relativeWeight(predicted.rgb);
       vec3 change = w * (color - predicted.rgb);
       came += w * color;
       told += w * predicted.rgb;
       square += dot(change, change);
-      count += predicted.a < 7.5 ? 1.0 : 0.0;
+      count += isPredicted(predicted);
     }
   }
   const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: MIT
+// History for the 2 x 2 texels of a pixel, moved as one: 5 x 5 texels are read once and weighted
+// four times (eq. 9).
+#ifndef REPRISE_TECHNIQUES_REPRISE_HISTORY_BLOCK_GLSL
+#define REPRISE_TECHNIQUES_REPRISE_HISTORY_BLOCK_GLSL
+
+#include "core/frame_inputs.glsl"
+#include "equations/filters.h"
+#include "techniques/reprise/reprise_shared.h"
+
+struct HistoryBlock {
+  vec4 texel[4];    // rgb linear, a: samples held; (0,0) (1,0) (0,1) (1,1)
+  float weight[4];  // 0: nothing there to be had
+};
+
+// `at`: where the corner of the pixel's first texel was, in texels. `expected`: the view depth that
+// this surface had there.
+HistoryBlock historyBlock(sampler2D history_image, sampler2D history_depth_image,
+                          RepriseConstants k, vec2 at, float expected, bool on_screen) {
+  vec2 last_texel = 2.0 * k.frame.previous_extent_px - 1.0;
+  at = clamp(at, vec2(0.0), last_texel - 1.0);
+  vec2 base = floor(at);
+  vec2 f = at - base;
+
+  // Depth is one a pixel; five texels in a row lie in three pixels at most.
+  ivec2 first_px = ivec2(floor((base - 1.0) * 0.5));
+  ivec2 last_px = ivec2(k.frame.previous_extent_px) - 1;
+  float valid[9];
+  float valid_count = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 at_px = clamp(first_px + ivec2(i % 3, i / 3), ivec2(0), last_px);
+    float depth = texelFetch(history_depth_image, at_px, 0).x;
+    valid[i] = on_screen && wasVisible(expected, depth, k.depth_tolerance) ? 1.0 : 0.0;
+    valid_count += valid[i];
+  }
+  // A cubic with taps left out would overshoot: bilinear over what is there.
+  bool whole = valid_count > 8.5;
+  vec4 wx = whole ? cubicWeights(f.x, k.sharpness) : vec4(0.0, 1.0 - f.x, f.x, 0.0);
+  vec4 wy = whole ? cubicWeights(f.y, k.sharpness) : vec4(0.0, 1.0 - f.y, f.y, 0.0);
+
+  HistoryBlock block;
+  for (int j = 0; j < 4; ++j) {
+    block.texel[j] = vec4(0.0);
+    block.weight[j] = 0.0;
+  }
+  ivec2 parity = ivec2(base) - 1 - 2 * first_px;  // 0 or 1
+  for (int y = 0; y < 5; ++y) {
+    for (int x = 0; x < 5; ++x) {
+      vec4 value = texelFetch(history_image,
+                              ivec2(clamp(base + vec2(x, y) - 1.0, vec2(0.0), last_texel)), 0);
+      float v = valid[((y + parity.y) >> 1) * 3 + ((x + parity.x) >> 1)];
+      for (int j = 0; j < 4; ++j) {
+        int tap_x = x - (j & 1);
+        int tap_y = y - (j >> 1);
+        if (tap_x < 0 || tap_x > 3 || tap_y < 0 || tap_y > 3) continue;
+        float w = wx[tap_x] * wy[tap_y] * v;
+        block.texel[j] += w * value;
+        block.weight[j] += w;
+      }
+    }
+  }
+  for (int j = 0; j < 4; ++j) {
+    // Less than this is a rounding error of taps that do not count.
+    block.weight[j] = block.weight[j] > 1.0e-3 ? block.weight[j] : 0.0;
+    block.texel[j] = max(block.texel[j] / max(block.weight[j], 1.0e-3), vec4(0.0));
+    if (block.weight[j] == 0.0) block.texel[j] = vec4(0.0);
+  }
+  return block;
+}
+
+#endif

@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: MIT
+//
+// What history foretells for this frame's samples (eq. 1 and 2 of README.md).
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/frame_inputs.glsl"
+#include "core/workgroup.h"
+#include "techniques/reprise/prediction.glsl"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+// A neighbour this much nearer than the pixel, beyond what the slope explains, is another surface.
+const float kSilhouette = 0.01;
+
+layout(binding = 0) uniform sampler2D depth_image;
+layout(binding = 1) uniform sampler2D motion_image;
+layout(binding = 2) uniform sampler2D history_image;        // 2 x 2 texels a pixel
+layout(binding = 3) uniform sampler2D history_depth_image;  // view depth, dilated like ours
+layout(binding = 4) writeonly uniform image2D next_depth_image;
+layout(binding = 5) writeonly uniform image2D predicted_image;  // rgb linear, a: kCross index
+layout(binding = 6, std140) uniform Constants {
+  RepriseConstants k;
+};
+
+void main() {
+  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
+  if (any(greaterThan(px, last_px))) return;
+
+  // Silhouettes move with what they belong to: the closest surface of the cross. On a slope depth
+  // falls as much on one side as it rises on the other; there the pixel keeps its own motion, since
+  // a neighbour's would shift history by the same fraction of a pixel in every frame.
+  float depths[5];
+  for (int i = 0; i < 5; ++i) {
+    ivec2 at_px = clamp(px + kCross[i], ivec2(0), last_px);
+    depths[i] = viewDepth(k.frame, texelFetch(depth_image, at_px, 0).x);
+  }
+  int closest = 0;
+  float view_depth = depths[0];
+  for (int i = 1; i < 5; ++i) {
+    float opposite = depths[((i - 1) ^ 1) + 1];
+    float slope = abs(opposite - depths[0]);
+    bool silhouette = depths[0] - depths[i] > 2.0 * slope + kSilhouette * depths[0];
+    if (silhouette && depths[i] < view_depth) {
+      view_depth = depths[i];
+      closest = i;
+    }
+  }
+  ivec2 surface_px = clamp(px + kCross[closest], ivec2(0), last_px);
+  vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
+
+  vec2 sample_px = vec2(px) + 0.5 - k.frame.jitter_px;
+  vec2 previous_px = (sample_px + motion_px) * (k.frame.previous_extent_px / k.frame.extent_px);
+  vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.previous_extent_px - 0.5);
+  vec2 uv = inside_px * k.frame.history_texel_uv;
+  float expected =
+      expectedPreviousDepth(k.frame.previous_depth_coefficients, sample_px, view_depth);
+  vec4 depths_then = textureGather(history_depth_image, uv, 0);
+  float nearest = min(min(depths_then.x, depths_then.y), min(depths_then.z, depths_then.w));
+  bool valid = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px) &&
+               wasVisible(min(expected, kMaxViewDepth), nearest, k.depth_tolerance);
+  vec3 predicted = sanitizedColor(textureLod(history_image, uv, 0.0).rgb * k.frame.exposure_ratio);
+
+  imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));
+  imageStore(predicted_image, px, vec4(predicted, float(closest) + (valid ? 0.0 : kNoPrediction)));
+}

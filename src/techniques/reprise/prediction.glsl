@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: MIT
+// What the passes agree on: what lies in the prediction image.
+#ifndef REPRISE_TECHNIQUES_REPRISE_PREDICTION_GLSL
+#define REPRISE_TECHNIQUES_REPRISE_PREDICTION_GLSL
+
+#include "equations/color_space.h"
+#include "techniques/reprise/reprise_shared.h"
+
+const ivec2 kCross[5] = ivec2[5](ivec2(0, 0), ivec2(-1, 0), ivec2(1, 0), ivec2(0, -1), ivec2(0, 1));
+// Added to the index into kCross in alpha: nothing was foretold here.
+const float kNoPrediction = 8.0;
+
+float isPredicted(vec4 predicted) {
+  return predicted.a < kNoPrediction - 0.5 ? 1.0 : 0.0;
+}
+int surfaceIndex(vec4 predicted) {
+  return int(predicted.a + 0.5) & 7;
+}
+
+// Changes are taken relative to the predicted luma, so that light and dark count alike.
+float relativeWeight(vec3 predicted) {
+  return 1.0 / (lumaYCoCg(predicted) + kDarkest);
+}
+
+#endif

@@ -40,6 +40,9 @@ TEST_P(Robust, ANoNumberDoesNotSpread) {
   constexpr uint32_t kX = 20;
   constexpr uint32_t kY = 12;
   constexpr int kReach_px = 4;  // 3x3 neighbourhoods and bicubic taps, once
+  // Its gain of light is a mean over 40 px: there one lost sample of 1600 may move it by its share.
+  const bool pools_light = GetParam() == "reprise";
+  const float far_slack = pools_light ? 1.0e-3f : 0.0f;
   Formula clean;
   clean.color = waves;
   FormulaSource clean_source(testDevice(), {40, 24}, clean);
@@ -60,7 +63,8 @@ TEST_P(Robust, ANoNumberDoesNotSpread) {
                           std::abs(static_cast<int>(y) - static_cast<int>(kY)) <= kReach_px;
         if (near) continue;
         for (size_t c = 0; c < 3; ++c) {
-          ASSERT_EQ(image.at(x, y)[c], expected.at(x, y)[c]) << bad << " at " << x << ", " << y;
+          ASSERT_NEAR(image.at(x, y)[c], expected.at(x, y)[c], far_slack)
+              << bad << " at " << x << ", " << y;
         }
       }
     }
@@ -164,6 +168,8 @@ INSTANTIATE_TEST_SUITE_P(All, Robust, testing::ValuesIn(everyTechnique()), [](co
   }
   return name;
 });
+// Without its gain of light nothing of it reaches farther than the others do.
+INSTANTIATE_TEST_SUITE_P(Local, Robust, testing::Values("reprise:doubt_light=1e6"));
 
 }  // namespace
 }  // namespace reprise::lab

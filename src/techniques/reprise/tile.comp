@@ -31,13 +31,16 @@ void main() {
     for (int x = 0; x < kTileSize_px; ++x) {
       ivec2 px = min(first_px + ivec2(x, y), last_px);
       vec4 predicted = texelFetch(predicted_image, px, 0);
-      vec3 color = fetchColor(color_image, px, last_px);
-      float w = isPredicted(predicted) * relativeWeight(predicted.rgb);
+      vec3 texel = texelFetch(color_image, px, 0).rgb;
+      vec3 color = sanitizedColor(texel);
+      // What was no colour says nothing of light.
+      float known = isPredicted(predicted) * (color == texel ? 1.0 : 0.0);
+      float w = known * relativeWeight(predicted.rgb);
       vec3 change = w * (color - predicted.rgb);
       came += w * color;
       told += w * predicted.rgb;
       square += dot(change, change);
-      count += isPredicted(predicted);
+      count += known;
     }
   }
   const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);

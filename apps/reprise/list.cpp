@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: MIT
 #include <fmt/format.h>
 
+#include <algorithm>
 #include <cmath>
 #include <memory>
 
 #include "lab/run/technique_choice.h"
+#include "lab/scene/gltf/gltf_scene.h"
 #include "lab/scene/scene.h"
 #include "verbs.h"
 
@@ -65,6 +67,39 @@ Json techniqueJson(const RepriseTechniqueInfo& info) {
   return json;
 }
 
+Json sceneJson(const lab::SceneInfo& scene) {
+  Json cameras = Json::array();
+  for (const lab::CameraInfo& camera : scene.cameras) {
+    Json parameters = Json::array();
+    for (const lab::CameraParameter& p : camera.parameters) {
+      parameters.push_back(
+          {{"name", p.name}, {"default", p.default_value}, {"meaning", p.meaning}});
+    }
+    cameras.push_back(
+        {{"name", camera.name}, {"motion", camera.motion}, {"parameters", parameters}});
+  }
+  return {{"name", scene.name}, {"content", scene.content}, {"cameras", cameras}};
+}
+
+// A scene's file read whole: how much it holds, its cameras, what is left out.
+Json fileJson(const std::string& text) {
+  const auto info = lab::gltfSceneInfo(lab::splitGltfName(text).path);
+  const std::unique_ptr<lab::Scene> scene = info->create();
+  const lab::Geometry& geometry = scene->geometry();
+  Json json = sceneJson(*info);
+  json["content"] = fmt::format(
+      "{} triangles, {} materials, {} images, {} moving parts, {} lights",
+      geometry.indices.size() / 3, geometry.materials.size(), geometry.images.size(),
+      std::count_if(geometry.instances.begin(), geometry.instances.end(),
+                    [&](const lab::Instance& instance) {
+                      const auto i = static_cast<uint32_t>(&instance - geometry.instances.data());
+                      return scene->transform(i, 0.0) != scene->transform(i, 0.4);
+                    }),
+      scene->lights(0.0).lights.size());
+  json["warnings"] = scene->warnings();
+  return json;
+}
+
 Json listJson() {
   Json json;
   json["techniques"] = Json::array();
@@ -72,20 +107,9 @@ Json listJson() {
     json["techniques"].push_back(techniqueJson(*info));
   }
   json["scenes"] = Json::array();
-  for (const lab::SceneInfo& scene : lab::sceneList()) {
-    Json cameras = Json::array();
-    for (const lab::CameraInfo& camera : scene.cameras) {
-      Json parameters = Json::array();
-      for (const lab::CameraParameter& p : camera.parameters) {
-        parameters.push_back(
-            {{"name", p.name}, {"default", p.default_value}, {"meaning", p.meaning}});
-      }
-      cameras.push_back(
-          {{"name", camera.name}, {"motion", camera.motion}, {"parameters", parameters}});
-    }
-    json["scenes"].push_back(
-        {{"name", scene.name}, {"content", scene.content}, {"cameras", cameras}});
-  }
+  std::vector<lab::SceneInfo> scenes = lab::sceneList();
+  scenes.push_back(lab::gltfPattern());
+  for (const lab::SceneInfo& scene : scenes) json["scenes"].push_back(sceneJson(scene));
   json["devices"] = Json::array();
   size_t index = 0;
   for (const lab::DeviceSummary& device : lab::Device::list()) {
@@ -99,6 +123,24 @@ Json listJson() {
                                {"fragment_shading_rate", device.shading_rate}});
   }
   return json;
+}
+
+std::string sceneText(const Json& scene) {
+  const std::string name = scene["name"];
+  std::string text = fmt::format("  {:<13} {}\n", name, scene["content"].get<std::string>());
+  for (const Json& camera : scene["cameras"]) {
+    text += fmt::format("    {:<21} {}\n", name + "/" + camera["name"].get<std::string>(),
+                        camera["motion"].get<std::string>());
+    for (const Json& p : camera["parameters"]) {
+      text += fmt::format("      {:<20}= {:<12g}{}\n", p["name"].get<std::string>(),
+                          p["default"].get<double>(), p["meaning"].get<std::string>());
+    }
+  }
+  if (!scene.contains("warnings")) return text;
+  for (const Json& warning : scene["warnings"]) {
+    text += fmt::format("  note: {}\n", warning.get<std::string>());
+  }
+  return text;
 }
 
 std::string listText(const Json& json, const std::string& only) {
@@ -128,18 +170,7 @@ std::string listText(const Json& json, const std::string& only) {
     return text;
   }
   text += "\nScenes\n";
-  for (const Json& scene : json["scenes"]) {
-    const std::string name = scene["name"];
-    text += fmt::format("  {:<14}{}\n", name, scene["content"].get<std::string>());
-    for (const Json& camera : scene["cameras"]) {
-      text += fmt::format("    {:<22}{}\n", name + "/" + camera["name"].get<std::string>(),
-                          camera["motion"].get<std::string>());
-      for (const Json& p : camera["parameters"]) {
-        text += fmt::format("      {:<20}= {:<12g}{}\n", p["name"].get<std::string>(),
-                            p["default"].get<double>(), p["meaning"].get<std::string>());
-      }
-    }
-  }
+  for (const Json& scene : json["scenes"]) text += sceneText(scene);
   text += "\nDevices\n";
   for (const Json& device : json["devices"]) {
     text += fmt::format(
@@ -161,10 +192,18 @@ void addList(CLI::App& app, const Globals& globals, Action& action) {
   CLI::App* verb = app.add_subcommand(
       "list", "techniques with their settings, scenes with their cameras, devices");
   auto only = std::make_shared<std::string>();
-  verb->add_option("TECHNIQUE", *only, "only this one, with the effect and origin of each setting");
-  verb->footer("Example: reprise list taa");
+  verb->add_option("NAME", *only,
+                   "only this technique, with the effect and origin of each setting; or gltf:PATH: "
+                   "what the file holds");
+  verb->footer("Examples: reprise list taa, reprise list gltf:house.glb");
   verb->callback([&globals, &action, only] {
     action = [&globals, only]() -> int {
+      if (lab::namesGltf(*only)) {
+        const Json json = fileJson(*only);
+        globals.print(sceneText(json));
+        globals.printJson(json);
+        return kDone;
+      }
       const Json json = listJson();
       globals.print(listText(json, *only));
       globals.printJson(json);

@@ -8,6 +8,7 @@
 #include "lab/capture/capture_error.h"
 #include "lab/run/interrupt.h"
 #include "lab/run/technique_choice.h"
+#include "lab/scene/gltf/scene_file_error.h"
 #include "reprise/reprise.hpp"
 #include "verbs.h"
 
@@ -51,6 +52,8 @@ int run(const Action& action) {
   } catch (const std::invalid_argument& error) {
     return fail(kUsage, error.what());
   } catch (const lab::CaptureError& error) {
+    return fail(kInput, error.what());
+  } catch (const lab::SceneFileError& error) {
     return fail(kInput, error.what());
   } catch (const ApiError& error) {
     return fail(error.result == REPRISE_ERROR_INVALID_ARGUMENT ? kUsage : kDevice, error.what());

@@ -90,6 +90,9 @@ std::unique_ptr<lab::FrameSource> openSource(lab::Device& device, const std::str
   if (lab::namesScene(text)) {
     auto scene =
         std::make_unique<lab::SceneSource>(device, lab::parseSceneRun(text), flags.options());
+    for (const std::string& line : scene->renderer().scene().warnings()) {
+      spdlog::warn("{}: {}", text, line);
+    }
     scene->references().setWarning([](const std::string& line) { spdlog::warn("{}", line); });
     source = std::move(scene);
   } else {

@@ -31,7 +31,7 @@ struct SceneFlags {
   lab::SceneSourceOptions options() const;
 };
 
-// A scene ("brick/pan") or a capture's directory. Throws what its parts throw.
+// A scene ("brick/pan", "gltf:PATH/path") or a capture's directory. Throws what its parts throw.
 std::unique_ptr<lab::FrameSource> openSource(lab::Device& device, const std::string& text,
                                              const SceneFlags& flags, lab::CaptureLayout layout);
 

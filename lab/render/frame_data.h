@@ -76,7 +76,7 @@ struct GpuMaterial {
   uint kind;
   uint color_texture;     // rgb: base colour, a: coverage
   uint normal_texture;    // tangent space, xyz * 2 - 1
-  uint surface_texture;   // g: roughness, b: metalness
+  uint surface_texture;   // r: share of ambient light, g: roughness, b: metalness
   uint emission_texture;  // rgb: factor of `emission`
   float alpha_cutoff;     // above 0: holes where the colour texture's alpha is below it
   float normal_scale;     // of the normal texture's x and y

@@ -132,7 +132,9 @@ Ball SceneBuffers::bounds() const {
   glm::vec3 high(-1.0e30f);
   for (uint32_t i = 0; i < instance_count_; ++i) {
     const Ball& ball = instance_bounds_[i];
-    const float scale = glm::length(glm::vec3(transforms[i][0]));
+    const float scale = std::max({glm::length(glm::vec3(transforms[i][0])),
+                                  glm::length(glm::vec3(transforms[i][1])),
+                                  glm::length(glm::vec3(transforms[i][2]))});
     const glm::vec3 center(transforms[i] * glm::vec4(ball.center_world, 1.0f));
     low = glm::min(low, center - ball.radius_m * scale);
     high = glm::max(high, center + ball.radius_m * scale);

@@ -70,9 +70,14 @@ void main() {
     sway = sways[i];
     normal = turned(normal, sway.axis_phase.xyz, swayAngle(sway, wind_now));
   }
-  // Scenes scale uniformly, so that normals turn as positions do.
+  // Cofactors: right for any scale. Shading makes normals unit and turns them to the eye.
+  mat3 turn = mat3(cross(now[1].xyz, now[2].xyz), cross(now[2].xyz, now[0].xyz),
+                   cross(now[0].xyz, now[1].xyz));
+  vec3 normal_world = turn * normal;
+  float length_squared = dot(normal_world, normal_world);
+  if (length_squared > 0.0) normal_world *= inversesqrt(length_squared);
   world[i] =
       GpuVertex(vec4(placed(vertex.position_u.xyz, now, sway, wind_now), vertex.position_u.w),
-                vec4(mat3(now) * normal, vertex.normal_v.w));
+                vec4(normal_world, vertex.normal_v.w));
   previous_world[i] = vec4(placed(vertex.position_u.xyz, then, sway, wind_then), 0.0);
 }

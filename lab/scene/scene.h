@@ -6,6 +6,7 @@
 #pragma once
 
 #include <cstdint>
+#include <functional>
 #include <glm/glm.hpp>
 #include <map>
 #include <memory>
@@ -111,16 +112,18 @@ class Scene {
   virtual SceneLights lights(double time_s) const = 0;
   // Direction and strength of the wind that moves vertices with a GpuSway; 1 is a fresh breeze.
   virtual glm::vec3 wind_world(double) const { return glm::vec3(0.0f); }
+  // What the scene's file holds and the lab leaves out, a line each.
+  virtual std::vector<std::string> warnings() const { return {}; }
 };
 
 struct SceneInfo {
   std::string name;
   std::string content;  // one line
   std::vector<CameraInfo> cameras;
-  std::unique_ptr<Scene> (*create)();
+  std::function<std::unique_ptr<Scene>()> create;
 };
 
-// The one list of scenes.
+// The one list of scenes that need no file. gltf/gltf_scene.h has those that are read from one.
 const std::vector<SceneInfo>& sceneList();
 
 // A run: a scene, one of its cameras, the camera's numbers.
@@ -129,9 +132,11 @@ struct SceneRun {
   const SceneInfo* scene = nullptr;
   const CameraInfo* camera = nullptr;
   CameraValues values;
+  std::shared_ptr<const SceneInfo> owned = nullptr;  // holds `scene` where no list does
 };
 
-// Throws std::invalid_argument, naming near ones, for unknown scenes, cameras and parameters.
+// Reads the file of a run "gltf:PATH/camera": throws SceneFileError. Throws std::invalid_argument,
+// naming near ones, for unknown scenes, cameras and parameters.
 SceneRun parseSceneRun(const std::string& text);
 // Whether `text` is meant as a scene: its part before '/' is one, or no such path exists on disk.
 bool namesScene(const std::string& text);

@@ -7,6 +7,7 @@
 #include <stdexcept>
 
 #include "core/near_names.h"
+#include "lab/scene/gltf/gltf_scene.h"
 #include "lab/scene/scene.h"
 
 namespace reprise::lab {
@@ -44,44 +45,66 @@ const typename List::value_type& findNamed(const List& list, const std::string& 
                               (near.empty() ? "there are: " + all : "near: " + near));
 }
 
-}  // namespace
-
-SceneRun parseSceneRun(const std::string& text) {
-  SceneRun run;
-  run.name = text;
-  const size_t colon = text.find(':');
-  const std::string path = text.substr(0, colon);
-  const size_t slash = path.find('/');
-  run.scene = &findNamed(sceneList(), path.substr(0, slash), "scene");
-  if (slash == std::string::npos) {
-    throw std::invalid_argument("scene '" + path + "' needs a camera: '" + path + "/" +
-                                run.scene->cameras.front().name + "'");
-  }
-  run.camera = &findNamed(run.scene->cameras, path.substr(slash + 1),
-                          "camera of scene '" + run.scene->name + "'");
-  for (const CameraParameter& parameter : run.camera->parameters) {
-    run.values[parameter.name] = parameter.default_value;
-  }
-  std::string rest = colon == std::string::npos ? "" : text.substr(colon + 1);
+// name=number,... of a camera, as "name" of its run.
+void readNumbers(SceneRun& run, std::string rest, const std::string& name) {
   while (!rest.empty()) {
     const size_t comma = rest.find(',');
     const std::string pair = rest.substr(0, comma);
     rest = comma == std::string::npos ? "" : rest.substr(comma + 1);
     const size_t equals = pair.find('=');
-    const std::string name = pair.substr(0, equals);
-    findNamed(run.camera->parameters, name, "number of camera '" + path + "'");
+    const std::string parameter = pair.substr(0, equals);
+    findNamed(run.camera->parameters, parameter, "number of camera '" + name + "'");
     const std::string number = equals == std::string::npos ? "" : pair.substr(equals + 1);
     double value = 0.0;
     const char* end = number.data() + number.size();
-    if (number.empty() || std::from_chars(number.data(), end, value).ptr != end) {
-      throw std::invalid_argument("camera '" + path + "': '" + pair + "' is not name=number");
+    const auto read = std::from_chars(number.data(), end, value);
+    if (number.empty() || read.ptr != end || !std::isfinite(value)) {
+      throw std::invalid_argument("camera '" + name + "': '" + pair + "' is not name=number");
     }
-    run.values[name] = value;
+    run.values[parameter] = value;
+  }
+}
+
+}  // namespace
+
+SceneRun parseSceneRun(const std::string& text) {
+  SceneRun run;
+  run.name = text;
+  std::string scene;
+  std::string camera;
+  if (namesGltf(text)) {
+    GltfName name = splitGltfName(text);
+    run.owned = gltfSceneInfo(name.path);
+    run.scene = run.owned.get();
+    scene = run.scene->name;
+    camera = std::move(name.camera);
+  } else {
+    // A slash after the first colon belongs to numbers.
+    const size_t slash = text.substr(0, text.find(':')).find('/');
+    scene = slash == std::string::npos ? text.substr(0, text.find(':')) : text.substr(0, slash);
+    camera = slash == std::string::npos ? "" : text.substr(slash + 1);
+    run.scene = &findNamed(sceneList(), scene, "scene");
+  }
+  if (camera.empty()) {
+    throw std::invalid_argument("scene '" + scene + "' needs a camera: '" + scene + "/" +
+                                run.scene->cameras.front().name + "'");
+  }
+  // Names of a file's own cameras may hold anything, and they take no numbers.
+  const bool of_file = run.owned != nullptr && camera.starts_with("camera:");
+  const size_t colon = of_file ? std::string::npos : camera.find(':');
+  run.camera = &findNamed(run.scene->cameras, camera.substr(0, colon),
+                          "camera of scene '" + run.scene->name + "'");
+  for (const CameraParameter& parameter : run.camera->parameters) {
+    run.values[parameter.name] = parameter.default_value;
+  }
+  if (colon != std::string::npos) {
+    readNumbers(run, camera.substr(colon + 1), scene + "/" + camera.substr(0, colon));
   }
   return run;
 }
 
 bool namesScene(const std::string& text) {
+  if (namesGltf(text)) return true;
   const std::string scene = text.substr(0, text.find_first_of("/:"));
   for (const SceneInfo& info : sceneList()) {
     if (info.name == scene) return true;

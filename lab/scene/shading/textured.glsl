@@ -61,7 +61,7 @@ vec3 shadeTextured(SurfacePoint s) {
   vec3 diffuse = base * (1.0 - metal);
   vec3 f0 = mix(vec3(0.04), base, metal);
   // Skylight comes from above more than from below; metals mirror it.
-  float open = 0.6 + 0.4 * normal.y;
+  float open = (0.6 + 0.4 * normal.y) * surface.r;
   vec3 color = ambientLight() * open * (diffuse + f0);
   for (uint i = 0u; i < frame.light_count; ++i) {
     Arriving light = lightAt(i, s.position_world);

@@ -11,6 +11,7 @@
 
 #include "lab/capture/exr_file.h"
 #include "lab/capture/output_file.h"
+#include "lab/scene/gltf/made_up_gltf.h"
 #include "tests/command_line.h"
 
 namespace reprise::lab {
@@ -74,6 +75,38 @@ TEST_F(Cli, WrongUsageIsTwo) {
     EXPECT_NE(ran.error.find(c.message), std::string::npos) << c.arguments << "\n" << ran.error;
     EXPECT_FALSE(exists("x/results.json"));
   }
+}
+
+TEST_F(Cli, GltfFilesAreScenesOfEveryVerb) {
+  MadeUpGltf made;
+  made.node({{"mesh", made.quad()}});
+  made.save(directory.path());
+  const Ran list = reprise("list gltf:a.gltf");
+  EXPECT_EQ(list.code, 0) << list.error;
+  EXPECT_NE(list.out.find("2 triangles"), std::string::npos) << list.out;
+  EXPECT_NE(list.out.find("gltf:a.gltf/path"), std::string::npos) << list.out;
+  EXPECT_NE(reprise("list").out.find("gltf:PATH/camera:NAME"), std::string::npos);
+  const Ran compared = reprise(
+      "compare gltf:a.gltf/path gltf:a.gltf/view:ez=3 -t taa --size 32x18 --frames 3 --samples 2 "
+      "-o cmp");
+  EXPECT_EQ(compared.code, 0) << compared.error;
+  EXPECT_TRUE(exists("cmp/frames/gltf-a.gltf-path/taa/0002.png"));
+  EXPECT_EQ(reprise("render gltf:a.gltf/still --size 16x16 --frames 1 -o cap").code, 0);
+
+  EXPECT_EQ(reprise("render gltf:a.gltf/pth --frames 1 -o x").code, 2);
+  const auto expectInput = [&](const std::string& arguments, const std::string& message) {
+    const Ran ran = reprise(arguments);
+    EXPECT_EQ(ran.code, 3) << arguments << "\n" << ran.error;
+    EXPECT_NE(ran.error.find(message), std::string::npos) << arguments << "\n" << ran.error;
+    EXPECT_EQ(ran.error.find('\n'), ran.error.size() - 1) << ran.error;
+  };
+  expectInput("render gltf:gone.glb/path -o x", "gone.glb: no such file");
+  made.json["extensionsRequired"] = {"EXT_meshopt_compression"};
+  made.save(directory.path());
+  expectInput("compare gltf:a.gltf/path -t taa -o x", "a.gltf: needs the extension EXT_meshopt");
+  expectInput("list gltf:a.gltf", "a.gltf: needs the extension");
+  std::ofstream(path("a.gltf")) << "{\"asset\":";
+  expectInput("render gltf:a.gltf/path -o x", "a.gltf: not a glTF 2.0 file that can be read");
 }
 
 TEST_F(Cli, BadCapturesAreThreeInOneLine) {

@@ -195,7 +195,7 @@ void addList(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_option("NAME", *only,
                    "only this technique, with the effect and origin of each setting; or gltf:PATH: "
                    "what the file holds");
-  verb->footer("Examples: reprise list taa, reprise list gltf:house.glb");
+  verb->footer("Example: reprise list taa; reprise list gltf:house.glb");
   verb->callback([&globals, &action, only] {
     action = [&globals, only]() -> int {
       if (lab::namesGltf(*only)) {

@@ -41,6 +41,10 @@ struct FrameInputs {
   float pre_exposure = 1.0f;
   float frame_time_s = 1.0f / 60.0f;
   bool reset = false;
+  // How colour was shaded (RepriseFrame).
+  uint32_t coarse_size = 1;
+  int32_t coarse_origin_px[2] = {0, 0};
+  uint32_t checkerboard = 0;
 };
 
 struct SourceInfo {

@@ -225,6 +225,14 @@ TEST_F(Recording, EachBadFieldIsNamed) {
       {"jitter_px", [nan](auto& f) { f.jitter_px[0] = nan; }},
       {"motion_scale", [](auto& f) { f.motion_scale[0] = 0.0f; }},
       {"motion_scale", [nan](auto& f) { f.motion_scale[1] = nan; }},
+      {"coarse_size", [](auto& f) { f.coarse_size = 5; }},
+      {"coarse_origin_px",
+       [](auto& f) {
+         f.coarse_size = 2;
+         f.coarse_origin_px[1] = 2;
+       }},
+      {"coarse_origin_px", [](auto& f) { f.coarse_origin_px[0] = -1; }},
+      {"checkerboard", [](auto& f) { f.checkerboard = 3; }},
       {"pre_exposure", [](auto& f) { f.pre_exposure = 0.0f; }},
       {"pre_exposure", [nan](auto& f) { f.pre_exposure = nan; }},
       {"frame_time_s", [](auto& f) { f.frame_time_s = -1.0f; }},
@@ -381,6 +389,12 @@ TEST(Plan, IsAPureFunctionOfTheFrameAndRepeatsAfterItsPeriod) {
       EXPECT_LE(std::abs(plan.jitter_px[0]), 1.0f);
       EXPECT_LE(std::abs(plan.jitter_px[1]), 1.0f);
       EXPECT_GE(plan.coarse_size, 1u);
+      EXPECT_LE(plan.coarse_size, static_cast<uint32_t>(REPRISE_MAX_COARSE_SIZE));
+      EXPECT_LE(plan.checkerboard, 2u);
+      for (const int32_t origin_px : plan.coarse_origin_px) {
+        EXPECT_GE(origin_px, 0);
+        EXPECT_LT(origin_px, static_cast<int32_t>(plan.coarse_size));
+      }
       if (plan.period > 0) {
         EXPECT_EQ(resolver.plan(frame + plan.period).library.jitter_px[0], plan.jitter_px[0])
             << name;

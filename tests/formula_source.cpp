@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: MIT
 #include "formula_source.h"
 
+#include <algorithm>
 #include <cmath>
+#include <limits>
 
 #include "equations/shading_offset.h"
 
@@ -9,6 +11,26 @@ namespace reprise::lab {
 namespace {
 
 constexpr uint32_t kReferenceGrid = 32;
+
+// Where the pixels of a coarse pixel shade, along an axis.
+float coarseCentre(uint32_t px, uint32_t coarse, int32_t origin_px) {
+  const auto size = static_cast<int32_t>(coarse);
+  const int32_t base = (static_cast<int32_t>(px) - origin_px + size) / size * size - size;
+  return static_cast<float>(base + origin_px) + 0.5f * static_cast<float>(size);
+}
+
+// A checkerboard's renderer knows nothing of the other half: what a technique makes of it shows.
+void leaveOut(uint32_t checkerboard, FloatImage& color, FloatImage& depth, FloatImage& motion) {
+  for (uint32_t y = 0; y < color.height; ++y) {
+    for (uint32_t x = 0; x < color.width; ++x) {
+      if ((x + y + checkerboard) % 2 != 0) continue;
+      const float nothing = std::numeric_limits<float>::quiet_NaN();
+      std::fill_n(color.at(x, y), 4, nothing);
+      std::fill_n(depth.at(x, y), 1, nothing);
+      std::fill_n(motion.at(x, y), 2, nothing);
+    }
+  }
+}
 
 }  // namespace
 
@@ -32,11 +54,12 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
   FloatImage depth(extent.width, extent.height, 1);
   FloatImage motion(extent.width, extent.height, 2);
   const float* jitter_px = plan.library.jitter_px;
+  const uint32_t coarse = plan.library.coarse_size;
   const auto frame = static_cast<float>(index);
   for (uint32_t y = 0; y < extent.height; ++y) {
     for (uint32_t x = 0; x < extent.width; ++x) {
-      eq::vec2 sample_px(static_cast<float>(x) + 0.5f - jitter_px[0],
-                         static_cast<float>(y) + 0.5f - jitter_px[1]);
+      eq::vec2 sample_px(coarseCentre(x, coarse, plan.library.coarse_origin_px[0]) - jitter_px[0],
+                         coarseCentre(y, coarse, plan.library.coarse_origin_px[1]) - jitter_px[1]);
       if (plan.library.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN) {
         sample_px += eq::shadingOffset(x, y, plan.library.shading_offset_seed,
                                        plan.library.shading_offset_sigma_px,
@@ -53,6 +76,7 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
       motion.at(x, y)[1] = -formula_.velocity_px[1];
     }
   }
+  if (plan.library.checkerboard != 0) leaveOut(plan.library.checkerboard, color, depth, motion);
   if (formula_.damage) formula_.damage(index, color, depth, motion);
   upload(device_, color_, color);
   upload(device_, depth_, depth);
@@ -67,6 +91,9 @@ FrameInputs FormulaSource::fill(uint32_t index, const SamplePlan& plan) {
   inputs.jitter_px[0] = jitter_px[0];
   inputs.jitter_px[1] = jitter_px[1];
   inputs.reset = index == 0;
+  inputs.coarse_size = coarse;
+  std::copy_n(plan.library.coarse_origin_px, 2, inputs.coarse_origin_px);
+  inputs.checkerboard = plan.library.checkerboard;
   return inputs;
 }
 

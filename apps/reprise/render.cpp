@@ -54,6 +54,11 @@ int render(const Globals& globals, const RenderFlags& flags) {
   const auto source =
       openSource(*device, flags.scene, flags.scene_flags, lab::CaptureLayout::kAuto);
   lab::Resolver resolver(*device, plan, source->info());
+  const RepriseSamplePlan first = resolver.plan(0).library;
+  if (first.coarse_size > 1 || first.checkerboard != 0) {
+    throw lab::UsageError("a capture cannot say that its pixels share shading: --plan " +
+                          flags.plan + " is for live scenes");
+  }
   lab::SourceInfo described = source->info();
   if (!flags.with_reference) described.reference_samples = 0;
   lab::CaptureWriter writer(flags.directory, described, plan.label, flags.resume);

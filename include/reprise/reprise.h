@@ -260,12 +260,17 @@ typedef struct RepriseSamplePlan {
   float shading_offset_sigma_px;
   uint32_t shading_offset_seed;
   uint32_t shading_offset_quadrant;  // [0, 3]; 4: the pixel centre
-  uint32_t coarse_size;         // pixels a side that share one shading evaluation; 1: each its own
+  uint32_t coarse_size;  // pixels a side that share one shading evaluation; 1: each its own
+  // Coarse pixels begin here, and coarse_size farther, and before: a shift of the grid's whole
+  // pixels. Each shades at its centre - jitter_px, for every surface in it, and alpha tests stay
+  // at the pixels' rate. A bias for derivatives across coarse pixels is part of mip_bias.
   int32_t coarse_origin_px[2];  // [0, coarse_size)
   // Bit a - 1: the technique would read RepriseFrame::motion_back[a - 1].
   uint32_t motion_back;
   // 4: the technique would read RepriseFrame::depth_samples; 0: it would not.
   uint32_t depth_samples;
+  // 1: only pixels whose x + y is even are shaded; 2: those where it is odd; 0: all.
+  uint32_t checkerboard;
 } RepriseSamplePlan;
 
 // The plan of frame `frame_index`: a pure function of the index, the settings and the extents; with
@@ -291,6 +296,8 @@ typedef struct RepriseCamera {
 
 // How far back a frame's motion can be given (frames).
 #define REPRISE_MAX_MOTION_BACK 8
+// Largest side of a coarse pixel (px).
+#define REPRISE_MAX_COARSE_SIZE 4
 
 typedef struct RepriseFrame {
   size_t size;            // = sizeof(RepriseFrame)
@@ -324,6 +331,11 @@ typedef struct RepriseFrame {
   uint32_t motion_back_count;  // [0, REPRISE_MAX_MOTION_BACK]
   VkQueryPool timestamps;      // optional: 2 * repriseGetPassCount queries are written,
   uint32_t first_timestamp;    // two a pass, from this index on; the host resets them
+  // How the frame was shaded, as RepriseSamplePlan has it; all 0: every pixel by itself. A host
+  // that shades coarsely as it likes tells it here.
+  uint32_t coarse_size;  // [0, REPRISE_MAX_COARSE_SIZE]
+  int32_t coarse_origin_px[2];
+  uint32_t checkerboard;
 } RepriseFrame;
 
 // Sample requests: which pixels deserve more shading than one evaluation, known once this frame's

@@ -40,6 +40,8 @@ LAB_CONST kLightCone = 1u;
 LAB_CONST kLightSun = 2u;
 LAB_CONST kLightGobo = 3u;  // a cone behind a mask that turns
 
+LAB_CONST kMaxCoarseSize = 4u;  // REPRISE_MAX_COARSE_SIZE
+
 // Layers of light: what a pass shows of the scene's light is a mask of these.
 LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and the ambient light
 LAB_CONST kLightLayerDeferred = 2u;  // shaded in every frame and added after the resolve
@@ -134,6 +136,17 @@ struct ShadeConstants {
   uint offset_seed;
   uint offset_quadrant;
   uint light_layers;  // mask of kLightLayer...
+};
+
+// Of shading below the pixels' rate (coarse.comp, checkerboard.comp).
+struct CoarseConstants {
+  vec2 jitter_px;
+  uint size;         // pixels a side; at most kMaxCoarseSize
+  uint origin_x_px;  // [0, size)
+  uint origin_y_px;
+  uint checkerboard;  // 1: pixels whose x + y is even; 2: odd
+  uint light_layers;
+  uint padding;
 };
 
 struct ServeConstants {

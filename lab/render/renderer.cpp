@@ -29,6 +29,12 @@ constexpr uint32_t kMotionShader[] = {
 constexpr uint32_t kShadeShader[] = {
 #include "shade.comp.inc"
 };
+constexpr uint32_t kCoarseShader[] = {
+#include "coarse.comp.inc"
+};
+constexpr uint32_t kCheckerboardShader[] = {
+#include "checkerboard.comp.inc"
+};
 constexpr uint32_t kServeShader[] = {
 #include "serve.comp.inc"
 };
@@ -318,6 +324,35 @@ void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& p
 
 void Renderer::recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const {
   recordShadeWith(commands, shade_program_, color_, constants);
+}
+
+void Renderer::prepareCoarse() {
+  if (coarse_ready_) return;
+  ComputeProgramInfo info{.name = "coarse",
+                          .spirv = kCoarseShader,
+                          .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored}),
+                          .push_bytes = sizeof(CoarseConstants),
+                          .specialization = shadeSpecialization(false)};
+  coarse_program_ = ComputeProgram(device_, info);
+  info.name = "checkerboard";
+  info.spirv = kCheckerboardShader;
+  checkerboard_program_ = ComputeProgram(device_, info);
+  coarse_ready_ = true;
+}
+
+void Renderer::recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const {
+  const std::vector<Bound> bound =
+      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()), {stored(color_)});
+  if (constants.size > 1) {
+    // One more where the grid begins inside the frame's first coarse pixel.
+    const VkExtent2D blocks{extent_.width / constants.size + 2,
+                            extent_.height / constants.size + 2};
+    coarse_program_.dispatch(commands, blocks, bound, constants);
+  } else {
+    checkerboard_program_.dispatch(commands, {(extent_.width + 1) / 2, extent_.height}, bound,
+                                   constants);
+  }
+  fullBarrier(commands);
 }
 
 void Renderer::prepareLate() {

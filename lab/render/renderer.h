@@ -63,6 +63,11 @@ class Renderer {
   void prepareGeometry();
   void recordGeometry(VkCommandBuffer commands) const;
   void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
+  // Shading below the pixels' rate, into color(): a coarse pixel and triangle at a time where
+  // constants.size is above 1, else half the pixels (constants.checkerboard). prepareCoarse must
+  // have been called.
+  void prepareCoarse();
+  void recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const;
   // The deferred layer of light at the pixels' centres, into late(). prepareLate must have been
   // called.
   void prepareLate();
@@ -151,6 +156,9 @@ class Renderer {
   ComputeProgram accumulate_program_;
   ComputeProgram mean_program_;
   ComputeProgram serve_program_;
+  ComputeProgram coarse_program_;
+  ComputeProgram checkerboard_program_;
+  bool coarse_ready_ = false;
 };
 
 }  // namespace reprise::lab

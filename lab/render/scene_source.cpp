@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "lab/render/scene_source.h"
 
+#include <algorithm>
+#include <cmath>
 #include <cstdio>
 #include <stdexcept>
 #include <string>
@@ -29,6 +31,18 @@ std::vector<eq::vec2> sampleJitters(eq::vec2 jitter_px, uint32_t n, uint32_t sam
     }
   }
   return jitters_px;
+}
+
+bool belowPixelRate(const SamplePlan& plan) {
+  return plan.grid <= 1 && (plan.library.coarse_size > 1 || plan.library.checkerboard != 0);
+}
+
+// What derivatives across coarse pixels, or across a checkerboard's half resolution, add to a
+// texture's level (Xiao et al. 2018, section 4); plans subtract it again.
+float rateBias(const SamplePlan& plan) {
+  if (!belowPixelRate(plan)) return 0.0f;
+  if (plan.library.checkerboard != 0) return 1.0f;
+  return std::log2(static_cast<float>(plan.library.coarse_size));
 }
 
 std::string describedFilter(const ReferenceOptions& reference) {
@@ -63,6 +77,12 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
 }
 
 void SceneSource::prepare(const SamplePlan& plan) {
+  if (belowPixelRate(plan)) {
+    if (options_.switches.samples > 1) {
+      throw std::invalid_argument("with --spp 4 every pixel is shaded: no coarse shading");
+    }
+    renderer_.prepareCoarse();
+  }
   if (plan.request) renderer_.prepareServe();
   if (plan.library.motion_back != 0) renderer_.prepareMotionBack();
   if (plan.library.depth_samples != 0) renderer_.prepareDepthSamples();
@@ -71,7 +91,7 @@ void SceneSource::prepare(const SamplePlan& plan) {
 
 FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const SamplePlan& plan) {
   const RepriseSamplePlan& sampling = plan.library;
-  renderer_.setFrame(index, sampling.mip_bias + options_.switches.mip_bias);
+  renderer_.setFrame(index, sampling.mip_bias + options_.switches.mip_bias + rateBias(plan));
   const auto span = [&](const char* name, const auto& record) {
     if (timestamps_ != nullptr) timestamps_->start(commands, name);
     record();
@@ -131,7 +151,20 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     span("serve", [&] { renderer_.recordServe(commands, requests.buffer, amortized_layers); });
     inputs.extra = &renderer_.extra();
   }
-  if (!many) span("shade", [&] { renderer_.recordShade(commands, constants); });
+  if (!many) {
+    span("shade", [&] {
+      if (belowPixelRate(plan)) {
+        recordBelowPixelRate(commands, sampling, constants);
+      } else {
+        renderer_.recordShade(commands, constants);
+      }
+    });
+  }
+  if (belowPixelRate(plan)) {
+    inputs.coarse_size = sampling.coarse_size;
+    std::copy_n(sampling.coarse_origin_px, 2, inputs.coarse_origin_px);
+    inputs.checkerboard = sampling.checkerboard;
+  }
   if (defer) {
     span("late light", [&] { renderer_.recordLate(commands, jitter_px); });
     inputs.late = &renderer_.late();
@@ -139,6 +172,18 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
 
   inputs.color = &renderer_.color();
   return inputs;
+}
+
+void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
+                                       const ShadeConstants& constants) {
+  const bool coarse = sampling.coarse_size > 1;
+  renderer_.recordCoarse(
+      commands, {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
+                 .size = coarse ? sampling.coarse_size : 1,
+                 .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
+                 .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
+                 .checkerboard = sampling.checkerboard,
+                 .light_layers = constants.light_layers});
 }
 
 std::optional<FloatImage> SceneSource::reference(uint32_t index) {

@@ -17,7 +17,7 @@ struct SceneSourceOptions {
 };
 
 // A live scene as a sequence of frames. Honours the plan: jitter, per-pixel shading offset, mip
-// bias, N x N grid.
+// bias, N x N grid, coarse pixels, checkerboard.
 class SceneSource final : public FrameSource {
  public:
   SceneSource(Device& device, const SceneRun& run, const SceneSourceOptions& options);
@@ -35,6 +35,9 @@ class SceneSource final : public FrameSource {
   ReferenceStore& references() { return references_; }
 
  private:
+  void recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
+                            const ShadeConstants& constants);
+
   Device& device_;
   SourceInfo info_;
   SceneSourceOptions options_;

@@ -31,6 +31,14 @@ Barycentrics barycentricsAt(vec4 clip_0, vec4 clip_1, vec4 clip_2, vec2 ndc) {
   return Barycentrics(b, (raw_dx - b * sum_dx) / sum, (raw_dy - b * sum_dy) / sum);
 }
 
+// The sum of the unnormalized barycentrics: proportional to 1 / view depth of the triangle's plane.
+float perspectiveSum(vec4 clip_0, vec4 clip_1, vec4 clip_2, vec2 ndc) {
+  vec3 q = vec3(ndc, 1.0);
+  return dot(
+      cross(clip_1.xyw, clip_2.xyw) + cross(clip_2.xyw, clip_0.xyw) + cross(clip_0.xyw, clip_1.xyw),
+      q);
+}
+
 vec3 interpolate(vec3 b, vec3 a0, vec3 a1, vec3 a2) {
   return a0 * b.x + a1 * b.y + a2 * b.z;
 }

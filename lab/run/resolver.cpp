@@ -100,6 +100,10 @@ RepriseFrame Resolver::frameOf(const FrameInputs& inputs, Timestamps* timestamps
   frame.pre_exposure = inputs.pre_exposure;
   frame.frame_time_s = inputs.frame_time_s;
   frame.reset = inputs.reset ? 1 : 0;
+  frame.coarse_size = inputs.coarse_size;
+  frame.coarse_origin_px[0] = inputs.coarse_origin_px[0];
+  frame.coarse_origin_px[1] = inputs.coarse_origin_px[1];
+  frame.checkerboard = inputs.checkerboard;
   if (timestamps != nullptr) {
     frame.timestamps = timestamps->pool();
     if (!reserved_.has_value()) reserved_ = timestamps->reserve(pass_names_);

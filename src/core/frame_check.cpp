@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: MIT
+#include <algorithm>
 #include <cmath>
 #include <string>
 
@@ -122,6 +123,14 @@ void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique
   require(std::isfinite(frame.frame_time_s) && frame.frame_time_s >= 0.0f,
           "frame_time_s must be finite and at least 0");
   require(frame.frame_time_s < 10.0f, "frame_time_s is 10 s or more: is it in milliseconds?");
+  require(frame.coarse_size <= REPRISE_MAX_COARSE_SIZE,
+          "coarse_size is above REPRISE_MAX_COARSE_SIZE");
+  const auto coarse = static_cast<int32_t>(frame.coarse_size);
+  for (const int32_t origin_px : frame.coarse_origin_px) {
+    require(origin_px >= 0 && origin_px < std::max(coarse, 1),
+            "coarse_origin_px must be in [0, coarse_size)");
+  }
+  require(frame.checkerboard <= 2, "checkerboard must be 0, 1 or 2");
   checkPlanes(frame, depth_kind);
   if (frame.camera != nullptr) checkCamera(*frame.camera);
 }

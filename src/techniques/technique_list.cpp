@@ -8,6 +8,7 @@
 namespace reprise {
 
 extern const TechniqueEntry kAmortizedEntry;
+extern const TechniqueEntry kCpsEntry;
 extern const TechniqueEntry kFxaaEntry;
 extern const TechniqueEntry kNoneEntry;
 extern const TechniqueEntry kPhlmEntry;
@@ -18,8 +19,8 @@ extern const TechniqueEntry kUe4TaaEntry;
 
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
-      kNoneEntry, kFxaaEntry,      kReprojectionEntry, kUe4TaaEntry,
-      kTaaEntry,  kAmortizedEntry, kPhlmEntry,         kRepriseEntry,
+      kNoneEntry,      kFxaaEntry, kReprojectionEntry, kUe4TaaEntry, kTaaEntry,
+      kAmortizedEntry, kPhlmEntry, kRepriseEntry,      kCpsEntry,
   };
   return kList;
 }

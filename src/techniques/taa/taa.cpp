@@ -269,12 +269,17 @@ const RepriseTechniqueInfo kInfo = {
 };
 
 }  // namespace
+
+std::unique_ptr<Technique> createTaa() {
+  return std::make_unique<Taa>();
+}
+
 }  // namespace reprise::taa
 
 namespace reprise {
 
 extern const TechniqueEntry kTaaEntry;
-const TechniqueEntry kTaaEntry = {
-    &taa::kInfo, []() -> std::unique_ptr<Technique> { return std::make_unique<taa::Taa>(); }};
+const TechniqueEntry kTaaEntry = {&taa::kInfo,
+                                  []() -> std::unique_ptr<Technique> { return taa::createTaa(); }};
 
 }  // namespace reprise

@@ -1,7 +1,10 @@
 // SPDX-License-Identifier: MIT
 #pragma once
 
+#include <memory>
+
 #include "core/settings.h"
+#include "core/technique.h"
 
 namespace reprise::taa {
 
@@ -48,5 +51,8 @@ extern const uint32_t kPresetCount;
 
 // The frame's jitter by the jitter settings, in px (jitter = -sample offset).
 void planJitter(const Settings& settings, uint64_t frame_index, RepriseSamplePlan& plan);
+
+// For techniques that sample frames in another way and resolve them in this.
+std::unique_ptr<Technique> createTaa();
 
 }  // namespace reprise::taa

@@ -67,7 +67,8 @@ TEST_F(Cli, WrongUsageIsTwo) {
       {"compare brick/pan -t taa -o x --samples 3 --size 64x36", "--samples must be even"},
       {"render brick/pan -o x --frames 0", "--frames"},
       {"render brick/pan --plan cps -o x --size 64x36", "a capture cannot say"},
-      {"compare brick/pan -t cps --spp 4 --size 64x36 --cache none -o x", "no coarse shading"},
+      {"compare brick/pan -t cps --spp 4 --size 16x9 --frames 1 --samples 2 --cache none -o x",
+       "no coarse shading"},
       {"--device nonsense compare brick/pan -t taa -o x", ""},
   };
   for (const auto& c : cases) {

@@ -32,7 +32,8 @@ class Buffer {
   VkBufferView texelView() const { return texel_view_; }
   template <typename T>
   void write(std::span<const T> data) {
-    std::memcpy(mapped_, data.data(), data.size_bytes());
+    // memcpy takes no null pointer, and an empty span has one.
+    if (!data.empty()) std::memcpy(mapped_, data.data(), data.size_bytes());
   }
 
  private:

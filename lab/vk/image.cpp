@@ -55,8 +55,7 @@ uint64_t Image::bytes() const {
   return uint64_t{info_.extent.width} * info_.extent.height * texelBytes(info_.format);
 }
 
-Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(info) {
-  const bool depth = info.format == VK_FORMAT_D32_SFLOAT;
+Image::Image(Device& device, const ImageInfo& info) : info_(info) {
   VkImageCreateInfo image_info{.sType = VK_STRUCTURE_TYPE_IMAGE_CREATE_INFO};
   image_info.imageType = VK_IMAGE_TYPE_2D;
   image_info.format = info.format;
@@ -66,62 +65,23 @@ Image::Image(Device& device, const ImageInfo& info) : device_(&device), info_(in
   image_info.samples = info.samples;
   image_info.usage = VK_IMAGE_USAGE_SAMPLED_BIT | VK_IMAGE_USAGE_TRANSFER_SRC_BIT |
                      VK_IMAGE_USAGE_TRANSFER_DST_BIT;
-  if (depth) {
+  if (aspect() == VK_IMAGE_ASPECT_DEPTH_BIT) {
     image_info.usage |= VK_IMAGE_USAGE_DEPTH_STENCIL_ATTACHMENT_BIT;
   } else {
     image_info.usage |= VK_IMAGE_USAGE_STORAGE_BIT;
     if (info.render_target) image_info.usage |= VK_IMAGE_USAGE_COLOR_ATTACHMENT_BIT;
   }
-  check(vkCreateImage(device.handle(), &image_info, nullptr, &image_), "vkCreateImage");
-  VkMemoryRequirements needs{};
-  vkGetImageMemoryRequirements(device.handle(), image_, &needs);
-  memory_ = device.allocate(needs, 0, VK_MEMORY_PROPERTY_DEVICE_LOCAL_BIT);
-  check(vkBindImageMemory(device.handle(), image_, memory_, 0), "vkBindImageMemory");
-  VkImageViewCreateInfo view_info{.sType = VK_STRUCTURE_TYPE_IMAGE_VIEW_CREATE_INFO};
-  view_info.image = image_;
-  view_info.viewType = VK_IMAGE_VIEW_TYPE_2D;
-  view_info.format = info.format;
-  view_info.subresourceRange = {aspect(), 0, 1, 0, 1};
-  check(vkCreateImageView(device.handle(), &view_info, nullptr, &view_), "vkCreateImageView");
-  device.submitAndWait([&](VkCommandBuffer commands) {
-    VkImageMemoryBarrier barrier{.sType = VK_STRUCTURE_TYPE_IMAGE_MEMORY_BARRIER};
-    barrier.dstAccessMask = VK_ACCESS_MEMORY_READ_BIT | VK_ACCESS_MEMORY_WRITE_BIT;
-    barrier.oldLayout = VK_IMAGE_LAYOUT_UNDEFINED;
-    barrier.newLayout = VK_IMAGE_LAYOUT_GENERAL;
-    barrier.srcQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.dstQueueFamilyIndex = VK_QUEUE_FAMILY_IGNORED;
-    barrier.image = image_;
-    barrier.subresourceRange = {aspect(), 0, 1, 0, 1};
-    vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_ALL_COMMANDS_BIT,
-                         VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 1,
-                         &barrier);
-  });
-}
-
-Image::~Image() {
-  if (device_ == nullptr) return;
-  vkDestroyImageView(device_->handle(), view_, nullptr);
-  vkDestroyImage(device_->handle(), image_, nullptr);
-  vkFreeMemory(device_->handle(), memory_, nullptr);
-}
-
-Image& Image::operator=(Image&& other) noexcept {
-  std::swap(device_, other.device_);
-  std::swap(info_, other.info_);
-  std::swap(image_, other.image_);
-  std::swap(memory_, other.memory_);
-  std::swap(view_, other.view_);
-  return *this;
+  image_ = DeviceImage(device, image_info, VK_IMAGE_VIEW_TYPE_2D, aspect());
 }
 
 void Image::recordUpload(VkCommandBuffer commands, const Buffer& buffer, uint64_t offset) const {
   const VkBufferImageCopy copy = wholeImage(*this, offset);
-  vkCmdCopyBufferToImage(commands, buffer.handle(), image_, VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
+  vkCmdCopyBufferToImage(commands, buffer.handle(), handle(), VK_IMAGE_LAYOUT_GENERAL, 1, &copy);
 }
 
 void Image::recordDownload(VkCommandBuffer commands, const Buffer& buffer, uint64_t offset) const {
   const VkBufferImageCopy copy = wholeImage(*this, offset);
-  vkCmdCopyImageToBuffer(commands, image_, VK_IMAGE_LAYOUT_GENERAL, buffer.handle(), 1, &copy);
+  vkCmdCopyImageToBuffer(commands, handle(), VK_IMAGE_LAYOUT_GENERAL, buffer.handle(), 1, &copy);
 }
 
 std::vector<uint8_t> downloadBytes(Device& device, const Image& image) {

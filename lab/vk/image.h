@@ -6,7 +6,7 @@
 
 #include "lab/float_image.h"
 #include "lab/vk/buffer.h"
-#include "lab/vk/device.h"
+#include "lab/vk/device_image.h"
 
 namespace reprise::lab {
 
@@ -24,12 +24,9 @@ class Image {
  public:
   Image() = default;
   Image(Device& device, const ImageInfo& info);
-  ~Image();
-  Image(Image&& other) noexcept { *this = std::move(other); }
-  Image& operator=(Image&& other) noexcept;
 
-  VkImage handle() const { return image_; }
-  VkImageView view() const { return view_; }
+  VkImage handle() const { return image_.handle(); }
+  VkImageView view() const { return image_.view(); }
   VkFormat format() const { return info_.format; }
   VkExtent2D extent() const { return info_.extent; }
   VkImageAspectFlags aspect() const;
@@ -41,11 +38,8 @@ class Image {
   void recordDownload(VkCommandBuffer commands, const Buffer& buffer, uint64_t offset = 0) const;
 
  private:
-  Device* device_ = nullptr;
   ImageInfo info_;
-  VkImage image_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  VkImageView view_ = VK_NULL_HANDLE;
+  DeviceImage image_;
 };
 
 // Bytes of one texel. Throws DeviceError for formats that the lab does not use.

@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "lab/vk/buffer.h"
-#include "lab/vk/device.h"
+#include "lab/vk/device_image.h"
 
 namespace reprise::lab {
 
@@ -16,17 +16,11 @@ class TextureArray {
   // `layers`: for each layer the texels of each level, tightly packed, four bytes each.
   TextureArray(Device& device, VkFormat format, VkExtent2D extent,
                const std::vector<std::vector<std::vector<uint8_t>>>& layers);
-  ~TextureArray();
-  TextureArray(TextureArray&& other) noexcept { *this = std::move(other); }
-  TextureArray& operator=(TextureArray&& other) noexcept;
 
-  VkImageView view() const { return view_; }
+  VkImageView view() const { return image_.view(); }
 
  private:
-  Device* device_ = nullptr;
-  VkImage image_ = VK_NULL_HANDLE;
-  VkDeviceMemory memory_ = VK_NULL_HANDLE;
-  VkImageView view_ = VK_NULL_HANDLE;
+  DeviceImage image_;
 };
 
 }  // namespace reprise::lab

@@ -4,10 +4,10 @@
 
 #include "reprise/reprise.h"
 // reprise.h first: shared headers are GLSL too and include no Vulkan header.
+#include "core/centred_jitter.h"
 #include "core/context.h"
 #include "core/sample_weights.h"
 #include "equations/filters.h"
-#include "equations/jitter_sequence.h"
 #include "techniques/fxaa/fxaa_passes.h"
 #include "techniques/phlm/phlm_settings.h"
 #include "techniques/phlm/phlm_shared.h"
@@ -66,12 +66,8 @@ class Phlm final : public Technique {
     const uint32_t length = s.choice(kJitterLength);
     const uint32_t jitter = s.choice(kJitter);
     plan.period = jitter == kJitterNone ? 1 : length;
-    const bool rests = jitter == kJitterNone || (jitter == kJitterStill && request.camera_moves);
-    if (length == 1 || rests) return;
-    const eq::vec2 sample_px = eq::sequenceOffset(eq::kSequenceR2, request.frame_index, length) -
-                               eq::sequenceMean(eq::kSequenceR2, length);
-    plan.jitter_px[0] = -sample_px.x;
-    plan.jitter_px[1] = -sample_px.y;
+    if (jitter == kJitterNone || (jitter == kJitterStill && request.camera_moves)) return;
+    planCentredJitter(eq::kSequenceR2, request.frame_index, length, plan);
   }
 
   void declare(Declaration& d) override {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 #include "reprise/reprise.h"
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
+#include "core/centred_jitter.h"
 #include "core/context.h"
-#include "equations/jitter_sequence.h"
 #include "techniques/reprojection/reprojection_shared.h"
 
 namespace reprise {
@@ -35,14 +35,8 @@ static_assert(kSettings.size() == kSettingCount);
 class Reprojection final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
-    const auto length = request.settings.choice(kJitterLength);
-    plan.period = length;
-    if (length == 1) return;
-    const eq::vec2 sample_px =
-        eq::sequenceOffset(eq::kSequenceHalton, request.frame_index, length) -
-        eq::sequenceMean(eq::kSequenceHalton, length);
-    plan.jitter_px[0] = -sample_px.x;
-    plan.jitter_px[1] = -sample_px.y;
+    planCentredJitter(eq::kSequenceHalton, request.frame_index,
+                      request.settings.choice(kJitterLength), plan);
   }
 
   void declare(Declaration& declaration) override {

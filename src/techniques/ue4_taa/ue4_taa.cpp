@@ -3,10 +3,10 @@
 
 #include "reprise/reprise.h"
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
+#include "core/centred_jitter.h"
 #include "core/context.h"
 #include "core/sample_weights.h"
 #include "equations/filters.h"
-#include "equations/jitter_sequence.h"
 #include "techniques/ue4_taa/ue4_taa_shared.h"
 
 namespace reprise::ue4_taa {
@@ -46,14 +46,8 @@ Ue4TaaConstants ue4TaaConstants(const FrameState& state, VkExtent2D history_exte
 class Ue4Taa final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
-    const auto length = request.settings.choice(kJitterLength);
-    plan.period = length;
-    if (length == 1) return;
-    const eq::vec2 sample_px =
-        eq::sequenceOffset(eq::kSequenceHalton, request.frame_index, length) -
-        eq::sequenceMean(eq::kSequenceHalton, length);
-    plan.jitter_px[0] = -sample_px.x;
-    plan.jitter_px[1] = -sample_px.y;
+    planCentredJitter(eq::kSequenceHalton, request.frame_index,
+                      request.settings.choice(kJitterLength), plan);
   }
 
   void declare(Declaration& declaration) override {

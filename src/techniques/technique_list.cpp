@@ -9,6 +9,7 @@ namespace reprise {
 
 extern const TechniqueEntry kAmortizedEntry;
 extern const TechniqueEntry kCpsEntry;
+extern const TechniqueEntry kCpstEntry;
 extern const TechniqueEntry kFxaaEntry;
 extern const TechniqueEntry kNoneEntry;
 extern const TechniqueEntry kPhlmEntry;
@@ -20,7 +21,7 @@ extern const TechniqueEntry kUe4TaaEntry;
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
       kNoneEntry,      kFxaaEntry, kReprojectionEntry, kUe4TaaEntry, kTaaEntry,
-      kAmortizedEntry, kPhlmEntry, kRepriseEntry,      kCpsEntry,
+      kAmortizedEntry, kPhlmEntry, kRepriseEntry,      kCpsEntry,    kCpstEntry,
   };
   return kList;
 }

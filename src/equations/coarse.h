@@ -1,0 +1,33 @@
+// SPDX-License-Identifier: MIT
+// Decoupled samples: visibility at every pixel, shading at coarse pixels. Xiao, Liktor,
+// Vaidyanathan 2018, "Coarse pixel shading with temporal supersampling"; numbers are that paper's.
+#ifndef REPRISE_EQUATIONS_COARSE_H
+#define REPRISE_EQUATIONS_COARSE_H
+
+#include "equations/language.h"
+EQ_BEGIN
+
+// Centre (px), along an axis, of the coarse pixel of `size` pixels that holds pixel `px`; coarse
+// pixels begin at `origin_px`, 0 <= origin_px < size.
+EQ_FN float coarseCentre(int px, int size, int origin_px) {
+  // Kept positive, since division rounds towards 0.
+  int block = (px - origin_px + size) / size - 1;
+  return float(block * size + origin_px) + 0.5f * float(size);
+}
+
+// Weight of a new sample in a mean that holds samples of the summed weight `held`. With held =
+// (1 / alpha - 1) * w and a weight of w this is alpha: equation (3) up to the normalization of the
+// shading filter, which the paper does not give.
+EQ_FN float weightedMeanAlpha(float weight, float held) {
+  return weight / max(held + weight, 1.0e-8f);
+}
+
+// Section 3.2: a pixel lies at a silhouette where its motion differs from that of the front-most
+// surface two pixels around by more than a share of the longest motion there.
+EQ_FN bool isSilhouette(vec2 own_px, vec2 front_px, float longest_px, float share) {
+  vec2 difference_px = vec2(own_px.x - front_px.x, own_px.y - front_px.y);
+  return length(difference_px) > share * longest_px;
+}
+
+EQ_END
+#endif

@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: MIT
+#include <algorithm>
+#include <cmath>
+
+#include "reprise/reprise.h"
+// reprise.h first: shared headers are GLSL too and include no Vulkan header.
+#include "core/context.h"
+#include "equations/coarse.h"
+#include "equations/coarse_jitter.h"
+#include "equations/filters.h"
+#include "equations/jitter.h"
+#include "techniques/cpst/cpst_shared.h"
+
+namespace reprise::cpst {
+namespace {
+
+constexpr uint32_t kMomentsShader[] = {
+#include "cpst_moments.comp.inc"
+};
+constexpr uint32_t kResolveShader[] = {
+#include "cpst_resolve.comp.inc"
+};
+
+constexpr uint32_t kCoarseSize = 2;
+// Derivatives span coarse pixels (section 4 of the paper).
+constexpr float kMipBias = -1.0f;
+
+enum Setting : uint32_t {
+  kJitter,
+  kJitterLength,
+  kAlpha,
+  kShadingFilter,
+  kShadingSigma,
+  kVariance,
+  kClipAbout,
+  kGamma,
+  kSilhouette,
+  kDisocclusion,
+  kDepthTolerance,
+  kReconstruct,
+  kHistorySharpness,
+  kStillFrames,
+  kGammaStill,
+  kSettingCount
+};
+
+constexpr uint32_t kJitterBlueNoise = 0;
+constexpr uint32_t kJitterHalton = 1;
+constexpr const char* kJitterNames[] = {"void-and-cluster", "halton", "halton-2x", nullptr};
+constexpr const char* kVarianceNames[] = {"none", "fine", "coarse", "dynamic", nullptr};
+constexpr const char* kAboutNames[] = {"own", "mean", nullptr};
+constexpr const char* kReconstructNames[] = {"none", "fresh", "always", nullptr};
+constexpr const char* kDisocclusionNames[] = {"none", "scale", "taps", nullptr};
+
+constexpr auto kSettings = settingTable({
+    choiceSetting(kJitter, "jitter", 2, kJitterNames,
+                  "where a frame's coarse pixels shade: spread for shading and visibility at once, "
+                  "Halton(2,3) over a pixel, or over two pixels",
+                  "Xiao et al. 2018, section 3.1 and figure 2; experiment: README.md", 0),
+    integerSetting(kJitterLength, "jitter_length", 32, 1, 128, "frames",
+                   "length of the cycle; longer ones converge further at rest",
+                   "experiment: README.md; the paper gives none"),
+    numberSetting(kAlpha, "alpha", 0.2, 0.001, 1.0, "",
+                  "lowest mean weight of a new sample in motion",
+                  "Xiao et al. 2018: 0.1; experiment: README.md"),
+    switchSetting(kShadingFilter, "shading_filter", true,
+                  "weighs a sample by its distance from the pixel's centre",
+                  "Xiao et al. 2018, equation (3), figure 6"),
+    numberSetting(kShadingSigma, "shading_sigma", 0.7, 0.1, 4.0, "px",
+                  "standard deviation of that filter; narrower is sharper and keeps fewer samples",
+                  "Xiao et al. 2018: 0.7"),
+    choiceSetting(kVariance, "variance", 3, kVarianceNames,
+                  "scale of the moments that bound history: none, 3x3 pixels, LoD 2, or LoD 2 with "
+                  "3x3 at silhouettes and disocclusions",
+                  "Xiao et al. 2018, section 3.2, figure 5"),
+    choiceSetting(kClipAbout, "clip_about", 1, kAboutNames,
+                  "middle of the bound: the pixel's own sample, or the mean",
+                  "Xiao et al. 2018 (own); Salvi 2016 (mean)"),
+    numberSetting(kGamma, "gamma", 2.5, 0.0, 8.0, "standard deviations",
+                  "half-size of the bound; wider flickers less and ghosts more",
+                  "Xiao et al. 2018: n, not given; experiment: README.md"),
+    numberSetting(kSilhouette, "silhouette", 0.3, 0.0, 2.0, "share of the longest motion",
+                  "difference of motion that makes a silhouette", "Xiao et al. 2018: 30 %"),
+    choiceSetting(kDisocclusion, "disocclusion", 2, kDisocclusionNames,
+                  "history of nearer surfaces: kept, bounded by the fine moments where the nearest "
+                  "of 3x3 lies behind the farthest of four taps, or rejected tap by tap",
+                  "Xiao et al. 2018, section 4 (scale); taa (taps)"),
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0, 1.0, "relative",
+                  "how much farther than the tap the current surface may be", "as taa"),
+    choiceSetting(kReconstruct, "reconstruct", 2, kReconstructNames,
+                  "mixes the samples of one surface around a pixel by their distance: nowhere, "
+                  "where history is missing, or everywhere",
+                  "ours; named as future work by Xiao et al. 2018"),
+    numberSetting(kHistorySharpness, "history_sharpness", 0.6, 0.0, 1.0, "",
+                  "c of the cubic history filter of 5 fetches", "as taa"),
+    integerSetting(kStillFrames, "still_frames", 512, 1, 2048, "samples",
+                   "where nothing moves the mean goes on to this many samples", "as taa"),
+    numberSetting(kGammaStill, "gamma_still", 8.0, 0.0, 16.0, "standard deviations",
+                  "half-size of the bound where nothing moves", "as taa"),
+});
+static_assert(kSettings.size() == kSettingCount);
+
+constexpr RepriseSettingValue kPaper[] = {
+    {"jitter", 0.0, "void-and-cluster"}, {"alpha", 0.1, nullptr},
+    {"clip_about", 0.0, "own"},          {"gamma", 1.0, nullptr},
+    {"disocclusion", 0.0, "scale"},      {"depth_tolerance", 0.0, nullptr},
+    {"reconstruct", 0.0, "none"},
+};
+constexpr ReprisePresetInfo kPresets[] = {
+    {"paper", kPaper, static_cast<uint32_t>(std::size(kPaper)), "as Xiao et al. 2018 tell it"},
+};
+
+eq::vec2 shadingPosition(const Settings& settings, uint64_t frame) {
+  const uint32_t length = settings.choice(kJitterLength);
+  const auto index = static_cast<uint32_t>(frame % length);
+  if (settings.choice(kJitter) == kJitterBlueNoise) return eq::coarseBlueNoise(length)[index];
+  const float scale = settings.choice(kJitter) == kJitterHalton ? 1.0f : 2.0f;
+  eq::vec2 mean;
+  for (uint32_t i = 0; i < length; ++i) mean = mean + eq::haltonOffset(i);
+  const eq::vec2 offset = eq::haltonOffset(index) - mean / static_cast<float>(length);
+  // Centred; the torus takes what the mean's correction pushes out.
+  const auto wrapped = [&](float v) { return std::fmod(1.0f + scale * v + 2.0f, 2.0f); };
+  return {wrapped(offset.x), wrapped(offset.y)};
+}
+
+// Mean of the shading filter over a cycle and the four pixels of a coarse pixel.
+float meanWeight(const Settings& settings) {
+  if (!settings.on(kShadingFilter)) return 1.0f;
+  const uint32_t length = settings.choice(kJitterLength);
+  const float sigma_px = settings.real(kShadingSigma);
+  double sum = 0.0;
+  for (uint32_t i = 0; i < length; ++i) {
+    const eq::CoarseOffset split = eq::splitOffset(shadingPosition(settings, i));
+    for (int px = 0; px < 4; ++px) {
+      const float x = eq::coarseCentre(px % 2, 2, split.origin_px[0]) - split.jitter_px.x -
+                      static_cast<float>(px % 2) - 0.5f;
+      const float y = eq::coarseCentre(px / 2, 2, split.origin_px[1]) - split.jitter_px.y -
+                      static_cast<float>(px / 2) - 0.5f;
+      sum += eq::gaussianFilter(std::hypot(x, y), sigma_px);
+    }
+  }
+  return static_cast<float>(sum / (4.0 * length));
+}
+
+class Cpst final : public Technique {
+ public:
+  void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
+    const eq::CoarseOffset split =
+        eq::splitOffset(shadingPosition(request.settings, request.frame_index));
+    plan.jitter_px[0] = split.jitter_px.x;
+    plan.jitter_px[1] = split.jitter_px.y;
+    plan.coarse_size = kCoarseSize;
+    plan.coarse_origin_px[0] = split.origin_px[0];
+    plan.coarse_origin_px[1] = split.origin_px[1];
+    plan.mip_bias = kMipBias;
+    plan.period = request.settings.choice(kJitterLength);
+  }
+
+  void declare(Declaration& d) override {
+    const Settings& s = d.settings;
+    const VkExtent2D extent = d.max_output_extent;
+    coarse_moments_ = s.choice(kVariance) >= kVarianceCoarse;
+    const VkExtent2D tiles = coarse_moments_
+                                 ? VkExtent2D{(extent.width + kMomentSize - 1) / kMomentSize,
+                                              (extent.height + kMomentSize - 1) / kMomentSize}
+                                 : VkExtent2D{1, 1};
+    color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 2);
+    depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
+    mean_ = d.history("mean", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    variance_ = d.history("variance", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    if (coarse_moments_) {
+      moments_ = d.pass(
+          {.name = "moments",
+           .spirv = kMomentsShader,
+           .bindings = {Binding::kTexel, Binding::kStorage, Binding::kStorage, Binding::kConstants},
+           .constant_bytes = sizeof(CpstConstants),
+           .specialization = {}});
+    }
+    resolve_ = d.pass(
+        {.name = "resolve",
+         .spirv = kResolveShader,
+         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                      Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
+                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
+         .constant_bytes = sizeof(CpstConstants),
+         .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
+                            s.choice(kShadingFilter), s.choice(kReconstruct)}});
+    mean_weight_ = 0.0f;
+  }
+
+  void record(Recorder& recorder, const FrameState& state) override {
+    const HistoryImage& color = recorder.history(color_);
+    const HistoryImage& depth = recorder.history(depth_);
+    const HistoryImage& mean = recorder.history(mean_);
+    const HistoryImage& variance = recorder.history(variance_);
+    const CpstConstants constants = constantsOf(state, color.extent());
+    const uint64_t n = state.record;
+    if (coarse_moments_) {
+      recorder.pass(moments_)
+          .read(state.frame.color)
+          .write(mean.current(0))
+          .write(variance.current(0))
+          .constants(constants)
+          .dispatch({(state.output_extent.width + kMomentSize - 1) / kMomentSize,
+                     (state.output_extent.height + kMomentSize - 1) / kMomentSize});
+    }
+    recorder.pass(resolve_)
+        .read(state.frame.color)
+        .read(state.frame.depth)
+        .read(state.frame.motion)
+        .read(mean.current(0))
+        .read(variance.current(0))
+        .read(color.previous(n))
+        .read(depth.previous(n))
+        .write(color.current(n))
+        .write(depth.current(n))
+        .write(state.frame.output.view)
+        .constants(constants)
+        .dispatch(state.output_extent);
+  }
+
+ private:
+  CpstConstants constantsOf(const FrameState& state, VkExtent2D history_extent) {
+    const Settings& s = state.settings;
+    // Settings that it depends on may change without a prepare.
+    const double key =
+        s.number(kJitter) + 8.0 * s.number(kJitterLength) + 4096.0 * s.number(kShadingSigma);
+    if (mean_weight_ == 0.0f || key != mean_weight_key_) mean_weight_ = meanWeight(s);
+    mean_weight_key_ = key;
+    CpstConstants constants{};
+    constants.frame = frameConstants(state, history_extent);
+    constants.coarse_origin_px = eq::vec2(static_cast<float>(state.frame.coarse_origin_px[0]),
+                                          static_cast<float>(state.frame.coarse_origin_px[1]));
+    constants.coarse_size = static_cast<float>(std::max(state.frame.coarse_size, 1u));
+    constants.sigma_px = s.real(kShadingSigma);
+    constants.held_limit = (1.0f / s.real(kAlpha) - 1.0f) * mean_weight_;
+    constants.held_limit_still = std::max(s.real(kStillFrames) - 1.0f, 0.0f) * mean_weight_;
+    constants.gamma = s.real(kGamma);
+    constants.gamma_still = s.real(kGammaStill);
+    constants.silhouette_share = s.real(kSilhouette);
+    constants.depth_tolerance = s.real(kDepthTolerance);
+    constants.history_sharpness = s.real(kHistorySharpness);
+    constants.mean_weight = mean_weight_;
+    return constants;
+  }
+
+  bool coarse_moments_ = false;
+  float mean_weight_ = 0.0f;
+  double mean_weight_key_ = 0.0;
+  HistoryHandle color_ = 0;
+  HistoryHandle depth_ = 0;
+  HistoryHandle mean_ = 0;
+  HistoryHandle variance_ = 0;
+  PassHandle moments_ = 0;
+  PassHandle resolve_ = 0;
+};
+
+constexpr RepriseTechniqueInfo kInfo = {
+    .name = "cpst",
+    .summary = "Coarse pixel shading with temporal supersampling: a quarter of the shading",
+    .source = "Xiao, Liktor, Vaidyanathan 2018",
+    .flags = REPRISE_TECHNIQUE_USES_HISTORY,
+    .settings = kSettings.data(),
+    .setting_count = kSettingCount,
+    .presets = kPresets,
+    .preset_count = static_cast<uint32_t>(std::size(kPresets)),
+};
+
+}  // namespace
+}  // namespace reprise::cpst
+
+namespace reprise {
+
+extern const TechniqueEntry kCpstEntry;
+const TechniqueEntry kCpstEntry = {
+    &cpst::kInfo, []() -> std::unique_ptr<Technique> { return std::make_unique<cpst::Cpst>(); }};
+
+}  // namespace reprise

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: MIT
+//
+// Mean and variance of 4 x 4 pixels, in YCoCg: LoD 2 of a mip chain of moments in one step. The
+// variance, not the second moment, is stored: halves have no bits left for their difference.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/frame_inputs.glsl"
+#include "core/workgroup.h"
+#include "equations/color_space.h"
+#include "techniques/cpst/cpst_shared.h"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+layout(binding = 0) uniform sampler2D color_image;
+layout(binding = 1) writeonly uniform image2D mean_image;
+layout(binding = 2) writeonly uniform image2D variance_image;
+layout(binding = 3, std140) uniform Constants {
+  CpstConstants k;
+};
+
+void main() {
+  ivec2 texel = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 first_px = texel * int(kMomentSize);
+  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
+  if (any(greaterThan(first_px, last_px))) return;
+  vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  for (int i = 0; i < int(kMomentSize * kMomentSize); ++i) {
+    ivec2 px = first_px + ivec2(i % int(kMomentSize), i / int(kMomentSize));
+    vec3 c = yCoCgFromRgb(fetchColor(color_image, px, last_px));
+    sum += c;
+    sum_of_squares += c * c;
+  }
+  float share = 1.0 / float(kMomentSize * kMomentSize);
+  vec3 mean = sum * share;
+  imageStore(mean_image, texel, vec4(mean, 0.0));
+  imageStore(variance_image, texel,
+             vec4(min(max(sum_of_squares * share - mean * mean, vec3(0.0)), kMaxColor), 0.0));
+}

@@ -1,0 +1,223 @@
+// SPDX-License-Identifier: MIT
+//
+// Coarse pixel shading with temporal supersampling. Equation numbers refer to README.md of this
+// folder.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "core/frame_inputs.glsl"
+#include "core/half_rounding.glsl"
+#include "core/history_filters.glsl"
+#include "core/neighbourhood.glsl"
+#include "core/workgroup.h"
+#include "equations/coarse.h"
+#include "equations/color_space.h"
+#include "techniques/cpst/cpst_shared.h"
+
+layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
+
+layout(constant_id = 0) const uint kVariance = 0u;
+layout(constant_id = 1) const uint kAbout = 0u;
+layout(constant_id = 2) const uint kDisocclusion = 0u;
+layout(constant_id = 3) const uint kShadingFilter = 0u;
+layout(constant_id = 4) const uint kReconstruct = 0u;
+
+layout(binding = 0) uniform sampler2D color_image;
+layout(binding = 1) uniform sampler2D depth_image;
+layout(binding = 2) uniform sampler2D motion_image;
+layout(binding = 3) uniform sampler2D mean_image;
+layout(binding = 4) uniform sampler2D variance_image;
+layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
+layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
+layout(binding = 7) writeonly uniform image2D next_history_image;
+layout(binding = 8) writeonly uniform image2D next_depth_image;
+layout(binding = 9) writeonly uniform image2D output_image;
+layout(binding = 10, std140) uniform Constants {
+  CpstConstants k;
+};
+
+// Motion below this is none (px): what half-precision motion images leave of a still camera.
+const float kStillMotion_px = 0.01;
+// Relative difference of depths up to which neighbours are one surface, for reconstruction.
+const float kSameSurface = 0.05;
+
+// Where pixel `px` was shaded (eq. 1).
+vec2 shadingSample(ivec2 px) {
+  int size = int(k.coarse_size);
+  return vec2(coarseCentre(px.x, size, int(k.coarse_origin_px.x)),
+              coarseCentre(px.y, size, int(k.coarse_origin_px.y))) -
+         k.frame.jitter_px;
+}
+
+float shadingWeight(ivec2 px, vec2 center_px) {
+  if (kShadingFilter == 0u) return 1.0;
+  return gaussianFilter(length(shadingSample(px) - center_px), k.sigma_px);
+}
+
+float depthAt(ivec2 px, ivec2 last_px) {
+  return texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x;
+}
+
+// The nearest of a pixel and its four neighbours (section 3.2 of the paper).
+ivec2 nearestOfCross(ivec2 px, ivec2 last_px) {
+  ivec2 best_px = px;
+  float order = k.frame.depth_order;
+  float best = depthAt(px, last_px) * order;
+  for (int i = 0; i < 4; ++i) {
+    ivec2 step = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);
+    ivec2 at = clamp(px + step, ivec2(0), last_px);
+    float depth = depthAt(at, last_px) * order;
+    if (depth < best) {
+      best = depth;
+      best_px = at;
+    }
+  }
+  return best_px;
+}
+
+vec2 motionAt(ivec2 px) {
+  return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
+}
+
+// Eight points two pixels around (eq. 4).
+bool atSilhouette(ivec2 px, ivec2 last_px) {
+  vec2 own_px = motionAt(px);
+  vec2 front_px = own_px;
+  float longest_px = length(own_px);
+  float order = k.frame.depth_order;
+  float nearest = 3.0e38;
+  for (int i = 0; i < 9; ++i) {
+    if (i == 4) continue;
+    ivec2 at = clamp(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
+    vec2 motion_px = motionAt(at);
+    longest_px = max(longest_px, length(motion_px));
+    float depth = depthAt(at, last_px) * order;
+    if (depth < nearest) {
+      nearest = depth;
+      front_px = motion_px;
+    }
+  }
+  return isSilhouette(own_px, front_px, longest_px, k.silhouette_share);
+}
+
+// Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
+Moments coarseMoments(vec2 center_px) {
+  vec2 at = center_px / float(kMomentSize) - 0.5;
+  ivec2 base = ivec2(floor(at));
+  vec2 f = at - vec2(base);
+  ivec2 last = (ivec2(k.frame.extent_px) - 1) / int(kMomentSize);
+  vec3 mean = vec3(0.0);
+  vec3 square = vec3(0.0);
+  for (int i = 0; i < 4; ++i) {
+    ivec2 corner = ivec2(i % 2, i / 2);
+    vec2 w = mix(1.0 - f, f, vec2(corner));
+    ivec2 texel = clamp(base + corner, ivec2(0), last);
+    vec3 m = texelFetch(mean_image, texel, 0).rgb;
+    mean += w.x * w.y * m;
+    square += w.x * w.y * (texelFetch(variance_image, texel, 0).rgb + m * m);
+  }
+  return Moments(mean, deviationFromMoments(mean, square));
+}
+
+// Samples of the same surface around, by how close they were shaded (eq. 7).
+vec3 reconstructed(vec3 samples[9], ivec2 px, ivec2 last_px, vec2 center_px) {
+  float own_depth = viewDepth(k.frame, depthAt(px, last_px));
+  vec3 sum = vec3(0.0);
+  float weights = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    ivec2 at = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
+    float depth = viewDepth(k.frame, depthAt(at, last_px));
+    float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
+    if (!depthsAgree(own_depth, depth, kSameSurface)) w = 0.0;
+    if (i == 4) w = max(w, 1.0e-4);
+    sum += w * samples[i];
+    weights += w;
+  }
+  return sum / weights;
+}
+
+void main() {
+  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
+  if (any(greaterThan(px, last_px))) return;
+  vec2 center_px = vec2(px) + 0.5;
+  vec3 samples[9];
+  for (int i = 0; i < 9; ++i) {
+    samples[i] = yCoCgFromRgb(fetchColor(color_image, px + ivec2(i % 3 - 1, i / 3 - 1), last_px));
+  }
+  vec3 current = samples[4];
+  float weight = shadingWeight(px, center_px);
+
+  ivec2 front_px = nearestOfCross(px, last_px);
+  vec2 motion_px = motionAt(front_px);
+  float view_depth = viewDepth(k.frame, depthAt(front_px, last_px));
+  vec2 previous_extent_px = k.frame.previous_extent_px;
+  vec2 previous_px = (center_px + motion_px) * (previous_extent_px / k.frame.extent_px);
+  vec2 inside_px = clamp(previous_px, vec2(0.5), previous_extent_px - 0.5);
+  vec2 last_center_px = previous_extent_px - 0.5;
+  bool hit = k.frame.has_history > 0.5 && isOnScreen(previous_px, previous_extent_px);
+
+  // Disocclusion (eq. 5): the order (0,0) (1,0) (0,1) (1,1).
+  vec4 then = textureGather(history_depth_image, inside_px * k.frame.history_texel_uv, 0).wzxy;
+  vec4 valid = vec4(1.0);
+  bool disoccluded = false;
+  if (kDisocclusion == kDisocclusionScale) {
+    float nearest = kMaxViewDepth;
+    for (int i = 0; i < 9; ++i) {
+      nearest =
+          min(nearest, viewDepth(k.frame, depthAt(px + ivec2(i % 3 - 1, i / 3 - 1), last_px)));
+    }
+    float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
+                                           center_px - k.frame.jitter_px, nearest);
+    float farthest = max(max(then.x, then.y), max(then.z, then.w));
+    disoccluded = min(expected, kMaxViewDepth) > farthest * (1.0 + k.depth_tolerance);
+  }
+  if (kDisocclusion == kDisocclusionTaps) {
+    float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
+                                           center_px - k.frame.jitter_px, view_depth);
+    valid =
+        vec4(lessThanEqual(vec4(min(expected, kMaxViewDepth)), then * (1.0 + k.depth_tolerance)));
+    disoccluded = dot(valid, vec4(1.0)) < 3.5;
+    hit = hit && dot(valid, vec4(1.0)) > 0.5;
+  }
+
+  vec4 history = cubicHistory(history_image, inside_px, k.frame.history_texel_uv, last_center_px,
+                              k.history_sharpness, false);
+  // A loop, not a branch: CPU drivers run both sides of a branch for every pixel.
+  for (int mixed = disoccluded && hit && kDisocclusion == kDisocclusionTaps ? 0 : 1; mixed < 1;
+       ++mixed) {
+    history = validHistory(history_image, inside_px, last_center_px, valid);
+  }
+  bool still = length(motion_px) < kStillMotion_px;
+  float held = hit ? min(history.a, still ? k.held_limit_still : k.held_limit) : 0.0;
+
+  vec3 previous = yCoCgFromRgb(sanitizedColor(history.rgb * k.frame.exposure_ratio));
+  vec3 bounded = previous;
+  if (kVariance != kVarianceNone) {
+    Moments m;
+    bool fine = kVariance == kVarianceFine;
+    if (kVariance == kVarianceDynamic) fine = disoccluded || atSilhouette(px, last_px);
+    if (fine) {
+      m = moments(samples);
+    } else {
+      m = coarseMoments(center_px);
+    }
+    float gamma = still ? k.gamma_still : k.gamma;
+    vec3 middle = kAbout == kAboutOwn ? current : m.mean;
+    float slack = boundSlack(previous, current);
+    vec3 reach = gamma * m.deviation + slack;
+    bounded = clipTowardBoxCentre(middle - reach, middle + reach, previous);
+  }
+
+  if (kReconstruct == kReconstructAlways ||
+      (kReconstruct == kReconstructFresh && held < k.mean_weight)) {
+    current = reconstructed(samples, px, last_px, center_px);
+  }
+  float alpha = weightedMeanAlpha(weight, held);
+  vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));
+  vec3 stored = roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number, true);
+  // Half precision loses small weights beside large sums: no more than 2048 of the smallest.
+  imageStore(next_history_image, px, vec4(stored, min(held + weight, 2048.0)));
+  imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));
+  imageStore(output_image, px, vec4(result, 1.0));
+}

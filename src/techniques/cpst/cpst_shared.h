@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: MIT
+//
+// Shared by the host and the shaders of `cpst`.
+#ifndef REPRISE_TECHNIQUES_CPST_SHARED_H
+#define REPRISE_TECHNIQUES_CPST_SHARED_H
+
+#include "core/frame_constants.h"
+
+#ifdef __cplusplus
+#define CPST_CHOICE constexpr uint32_t
+namespace reprise {
+namespace cpst {
+#else
+#define CPST_CHOICE const uint
+#endif
+
+// Values of the choice settings, in the order of their names in cpst.cpp.
+CPST_CHOICE kVarianceNone = 0u;
+CPST_CHOICE kVarianceFine = 1u;
+CPST_CHOICE kVarianceCoarse = 2u;
+CPST_CHOICE kVarianceDynamic = 3u;
+
+CPST_CHOICE kAboutOwn = 0u;
+CPST_CHOICE kAboutMean = 1u;
+
+CPST_CHOICE kDisocclusionNone = 0u;
+CPST_CHOICE kDisocclusionScale = 1u;
+CPST_CHOICE kDisocclusionTaps = 2u;
+
+CPST_CHOICE kReconstructNone = 0u;
+CPST_CHOICE kReconstructFresh = 1u;
+CPST_CHOICE kReconstructAlways = 2u;
+
+// Pixels a side that one texel of the moments stands for: LoD 2 of a mip chain.
+CPST_CHOICE kMomentSize = 4u;
+
+struct CpstConstants {
+  FrameConstants frame;
+  vec2 coarse_origin_px;
+  float coarse_size;
+  float sigma_px;          // of the shading filter
+  float held_limit;        // largest summed weight of history that moves
+  float held_limit_still;  // and that does not
+  float gamma;             // half-size of the bound, in standard deviations
+  float gamma_still;
+  float silhouette_share;
+  float depth_tolerance;
+  float history_sharpness;
+  float mean_weight;  // of the shading filter over a cycle of the jitter
+};
+
+#ifdef __cplusplus
+static_assert(sizeof(CpstConstants) == sizeof(FrameConstants) + 48);
+}  // namespace cpst
+}  // namespace reprise
+#endif
+
+#endif

@@ -30,7 +30,8 @@ struct FrameInputs {
   const Image* id = nullptr;             // optional
   const Image* extra = nullptr;          // optional: served sample requests
   const Image* depth_samples = nullptr;  // optional: D32, 4 samples, where the plan asks for it
-  // Optional: RGBA16F, light that was kept out of `color`, to be added to what is resolved.
+  // Optional: RGBA16F, light that was kept out of `color`, by equation hiddenGain; withHiddenLight
+  // brings it into what is resolved.
   const Image* late = nullptr;
   // Motion to the frame a frames back at [a - 1]; null where the plan did not ask for it.
   std::array<const Image*, REPRISE_MAX_MOTION_BACK> motion_back{};

@@ -149,6 +149,10 @@ struct CoarseConstants {
   uint padding;
 };
 
+struct LateConstants {
+  vec2 jitter_px;
+};
+
 struct ServeConstants {
   uint light_layers;
 };

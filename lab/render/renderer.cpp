@@ -35,6 +35,9 @@ constexpr uint32_t kCoarseShader[] = {
 constexpr uint32_t kCheckerboardShader[] = {
 #include "checkerboard.comp.inc"
 };
+constexpr uint32_t kLateShader[] = {
+#include "late.comp.inc"
+};
 constexpr uint32_t kServeShader[] = {
 #include "serve.comp.inc"
 };
@@ -358,12 +361,20 @@ void Renderer::recordCoarse(VkCommandBuffer commands, const CoarseConstants& con
 void Renderer::prepareLate() {
   if (late_.view() != VK_NULL_HANDLE) return;
   late_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
+  late_program_ =
+      ComputeProgram(device_, {.name = "late light",
+                               .spirv = kLateShader,
+                               .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored}),
+                               .push_bytes = sizeof(LateConstants),
+                               .specialization = shadeSpecialization(false)});
 }
 
 void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const {
-  const ShadeConstants constants{.jitter_px = {jitter_px.x, jitter_px.y},
-                                 .light_layers = kLightLayerDeferred};
-  recordShadeWith(commands, shade_program_, late_, constants);
+  late_program_.dispatch(commands, extent_,
+                         followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
+                                    {stored(late_)}),
+                         LateConstants{{jitter_px.x, jitter_px.y}});
+  fullBarrier(commands);
 }
 
 void Renderer::recordClearSum(VkCommandBuffer commands) const {

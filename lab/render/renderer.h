@@ -68,7 +68,7 @@ class Renderer {
   // have been called.
   void prepareCoarse();
   void recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const;
-  // The deferred layer of light at the pixels' centres, into late(). prepareLate must have been
+  // The deferred layer of light, by equation hiddenGain, into late(). prepareLate must have been
   // called.
   void prepareLate();
   void recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const;
@@ -159,6 +159,7 @@ class Renderer {
   ComputeProgram coarse_program_;
   ComputeProgram checkerboard_program_;
   bool coarse_ready_ = false;
+  ComputeProgram late_program_;
 };
 
 }  // namespace reprise::lab

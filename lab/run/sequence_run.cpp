@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "equations/hidden_light.h"
 #include "lab/run/interrupt.h"
 
 namespace reprise::lab {
@@ -12,9 +13,15 @@ namespace {
 // Passes of a source with many samples repeat; 2048 spans hold a 16 x 16 grid and all resolves.
 constexpr uint32_t kMaxSpans = 2048;
 
-void addLight(FloatImage& image, const FloatImage& late) {
+void addHiddenLight(FloatImage& image, const FloatImage& gains) {
   for (size_t i = 0; i < image.texelCount(); ++i) {
-    for (size_t c = 0; c < 3; ++c) image.texels[4 * i + c] += late.texels[4 * i + c];
+    float* rgb = &image.texels[4 * i];
+    const float* gain = &gains.texels[4 * i];
+    const eq::vec3 lit = eq::withHiddenLight({rgb[0], rgb[1], rgb[2]}, {gain[0], gain[1], gain[2]},
+                                             gain[3]);
+    rgb[0] = lit.x;
+    rgb[1] = lit.y;
+    rgb[2] = lit.z;
   }
 }
 
@@ -54,7 +61,7 @@ SequenceRun runFrames(Device& device, FrameSource& source, Resolver& resolver,
     run.resolve_times.add(n, {resolve, spans.end()});
     run.render_times.add(n, {spans.begin(), resolve});
     FloatImage image = download(device, resolver.output());
-    if (inputs.late != nullptr) addLight(image, download(device, *inputs.late));
+    if (inputs.late != nullptr) addHiddenLight(image, download(device, *inputs.late));
     if (done) done({index, inputs, image});
     if (keep_images) run.images.push_back(std::move(image));
   }

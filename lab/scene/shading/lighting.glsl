@@ -8,6 +8,10 @@
 
 // Mask of kLightLayer...: which light the pass shows. Set once, before anything is shaded.
 uint shown_light_layers = kAllLightLayers;
+// What the other layers' lights add, of all that was lit so far, and how much of what is shown is
+// not the surface's own colour: highlights and mirrored light.
+vec3 hidden_light = vec3(0.0);
+vec3 shown_gleam = vec3(0.0);
 
 // A gobo's mask: a plate with round holes, seen from the lamp. `q`: 1 at the cone's edge.
 float goboMask(vec2 q) {
@@ -24,7 +28,7 @@ struct Arriving {
 
 Arriving lightAt(uint i, vec3 position_world) {
   GpuLight light = frame.lights[i];
-  vec3 color = (light.layer & shown_light_layers) != 0u ? light.color.rgb : vec3(0.0);
+  vec3 color = light.color.rgb;
   if (light.kind == kLightSun) {
     if (i == frame.shadow_light) color *= sunShare(position_world);
     return Arriving(-light.direction_world.xyz, color);
@@ -74,7 +78,13 @@ vec3 litSurface(SurfacePoint s, Appearance a) {
     float specular = a.reflectance * (a.gloss + 8.0) * 0.125 *
                      pow(max(dot(a.normal_world, halfway), 0.0), a.gloss);
     float facing = max(dot(a.normal_world, light.to_light_world), 0.0);
-    color += (a.albedo + specular) * light.color * facing;
+    vec3 reflected = (a.albedo + specular) * light.color * facing;
+    if ((frame.lights[i].layer & shown_light_layers) != 0u) {
+      color += reflected;
+      shown_gleam += specular * light.color * facing;
+    } else {
+      hidden_light += reflected;
+    }
   }
   return color;
 }

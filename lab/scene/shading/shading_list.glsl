@@ -46,7 +46,11 @@ vec3 shadeMaterial(uint kind, SurfacePoint s) {
   if (isKind(kind, kMaterialStone)) a = stoneAppearance(s);
   if (isKind(kind, kMaterialRust)) a = rustAppearance(s);
   vec3 color = litSurface(s, a);
-  if ((kKinds & kRoomKinds) != 0u) color += a.mirror * roomMirrored(s, a.normal_world);
+  if ((kKinds & kRoomKinds) != 0u) {
+    vec3 mirrored = a.mirror * roomMirrored(s, a.normal_world);
+    color += mirrored;
+    shown_gleam += mirrored;
+  }
   return color;
 }
 

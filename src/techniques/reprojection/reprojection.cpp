@@ -3,6 +3,7 @@
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
 #include "core/centred_jitter.h"
 #include "core/context.h"
+#include "equations/hash.h"
 #include "techniques/reprojection/reprojection_shared.h"
 
 namespace reprise {
@@ -12,7 +13,11 @@ constexpr uint32_t kShader[] = {
 #include "reprojection.comp.inc"
 };
 
-enum Setting : uint32_t { kAlpha, kJitterLength, kDepthTolerance, kSettingCount };
+enum Setting : uint32_t { kAlpha, kJitter, kJitterLength, kDepthTolerance, kSettingCount };
+enum Jitter : uint32_t { kJitterHalton, kJitterUniform };
+
+constexpr const char* kJitterNames[] = {"halton", "uniform", nullptr};
+constexpr uint32_t kUniformSeed = 0x51ed270bu;
 
 constexpr auto kSettings = settingTable({
     numberSetting(
@@ -20,9 +25,13 @@ constexpr auto kSettings = settingTable({
         "weight of the current sample; raising it blurs less in motion and averages fewer "
         "samples: (2 - alpha) / alpha of them at rest",
         "Nehab et al. 2007; Yang et al. 2009 choose it for each scene by PSNR"),
+    choiceSetting(kJitter, "jitter", kJitterHalton, kJitterNames,
+                  "sample positions: Halton(2,3), which fill the pixel evenly, or independent "
+                  "uniform ones, a new one for every frame",
+                  "Scherzer et al. 2007, Yang et al. 2009, section 7: uniform; Halton does better"),
     integerSetting(
         kJitterLength, "jitter_length", 16, 1, 1024, "frames",
-        "length of the Halton(2,3) cycle of sample positions over the pixel; 1: the centre",
+        "length of the Halton(2,3) cycle; 1: the centre",
         "Scherzer et al. 2007 jitter uniformly over the pixel"),
     numberSetting(
         kDepthTolerance, "depth_tolerance", 0.02, 0.001, 1.0, "relative",
@@ -35,6 +44,13 @@ static_assert(kSettings.size() == kSettingCount);
 class Reprojection final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
+    if (request.settings.choice(kJitter) == kJitterUniform) {
+      const auto frame = static_cast<uint32_t>(request.frame_index);
+      const uint32_t bits = eq::hashPixel(frame, 0, kUniformSeed);
+      plan.jitter_px[0] = 0.5f - eq::unitFloat(bits);
+      plan.jitter_px[1] = 0.5f - eq::unitFloat(eq::hashPcg(bits));
+      return;
+    }
     planCentredJitter(eq::kSequenceHalton, request.frame_index,
                       request.settings.choice(kJitterLength), plan);
   }

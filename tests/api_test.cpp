@@ -238,6 +238,16 @@ TEST_F(Recording, EachBadFieldIsNamed) {
       {"frame_time_s", [](auto& f) { f.frame_time_s = -1.0f; }},
       {"milliseconds", [](auto& f) { f.frame_time_s = 16.6f; }},
       {"camera.projection", [](auto& f) { f.camera = &camera; }},
+      {"depth_samples.extent 31x16 is smaller",
+       [](auto& f) {
+         f.depth_samples = f.depth;
+         f.depth_samples.extent.width = 31;
+       }},
+      {"depth_samples.layout must be",
+       [](auto& f) {
+         f.depth_samples = f.depth;
+         f.depth_samples.layout = VK_IMAGE_LAYOUT_UNDEFINED;
+       }},
   };
   ASSERT_EQ(record(goodFrame()), REPRISE_SUCCESS);
   for (const Case& c : cases) {

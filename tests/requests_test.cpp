@@ -80,6 +80,21 @@ TEST_F(Requests, ServingThemImprovesTheFirstFrame) {
             lastPsnr("brick/still", "amortized:requests=false", 1) + 3.0);
 }
 
+// A still pixel is worth one sample after the first frame, two after the second.
+TEST_F(Requests, AQualityIsHeldByAskingForWhatIsMissing) {
+  const auto evaluations = [](const char* technique, uint32_t frames) {
+    return run("brick/still", technique, frames).evaluations_per_pixel * frames;
+  };
+  EXPECT_DOUBLE_EQ(evaluations("amortized:quality=1", 4), 4.0);
+  EXPECT_DOUBLE_EQ(evaluations("amortized:quality=3", 1), 3.0);
+  EXPECT_DOUBLE_EQ(evaluations("amortized:quality=3", 4), 3.0 + 2.0 + 1.0 + 1.0);
+  EXPECT_DOUBLE_EQ(evaluations("amortized:quality=64", 2), 5.0 + 5.0);  // the most there is
+  EXPECT_LE(evaluations("amortized:quality=64,budget=2", 2), 2.0 * 2.0);
+  // Where nothing failed too: in motion every frame is brought to the quality.
+  EXPECT_GT(lastPsnr("brick/rotate", "amortized:quality=8", 4),
+            lastPsnr("brick/rotate", "amortized:quality=1", 4) + 1.0);
+}
+
 TEST_F(Requests, TheOrderOfTheListDoesNotShow) {
   const SequenceRun a = run("brick/rotate", "amortized", 12);
   const SequenceRun b = run("brick/rotate", "amortized", 12);

@@ -370,10 +370,10 @@ void Renderer::prepareLate() {
 }
 
 void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const {
-  late_program_.dispatch(commands, extent_,
-                         followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
-                                    {stored(late_)}),
-                         LateConstants{{jitter_px.x, jitter_px.y}});
+  late_program_.dispatch(
+      commands, extent_,
+      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()), {stored(late_)}),
+      LateConstants{{jitter_px.x, jitter_px.y}});
   fullBarrier(commands);
 }
 

@@ -17,8 +17,8 @@ void addHiddenLight(FloatImage& image, const FloatImage& gains) {
   for (size_t i = 0; i < image.texelCount(); ++i) {
     float* rgb = &image.texels[4 * i];
     const float* gain = &gains.texels[4 * i];
-    const eq::vec3 lit = eq::withHiddenLight({rgb[0], rgb[1], rgb[2]}, {gain[0], gain[1], gain[2]},
-                                             gain[3]);
+    const eq::vec3 lit =
+        eq::withHiddenLight({rgb[0], rgb[1], rgb[2]}, {gain[0], gain[1], gain[2]}, gain[3]);
     rgb[0] = lit.x;
     rgb[1] = lit.y;
     rgb[2] = lit.z;

@@ -3,12 +3,13 @@
 // A room of brick with a marble floor: shiny sphere, teapot of polished stone, carved chest, a
 // rusty creature that walks, and a lamp behind a turning mask. After the indoor scene of Yang et
 // al. 2009, Figures 1 and 13. The mask's light lies in kLightLayerDeferred. Mirrors see
-// shading/room.glsl, which repeats the room's measures.
+// shading/room.glsl, which shares indoor/room_measures.h.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
 #include "lab/scene/indoor/creature.h"
 #include "lab/scene/indoor/furniture.h"
+#include "lab/scene/indoor/room_measures.h"
 #include "lab/scene/mesh/box.h"
 #include "lab/scene/mesh/lathe.h"
 #include "lab/scene/mesh/utah_teapot.h"
@@ -18,7 +19,7 @@ namespace reprise::lab {
 namespace {
 
 constexpr float kTau = 6.28318531f;
-constexpr glm::vec3 kRoom_m = {8.0f, 3.2f, 7.0f};  // x and z about 0, floor at y = 0
+constexpr glm::vec3 kRoom_m = {kRoomWidth_m, kRoomHeight_m, kRoomLength_m};
 constexpr double kStill_s = 0.9;
 
 constexpr glm::vec3 kSphere_m = {-0.95f, 1.18f, -0.75f};
@@ -28,7 +29,9 @@ constexpr float kTeapotScale = 0.2f;
 constexpr glm::vec3 kChestAt_m = {-0.25f, 0.0f, -1.75f};
 constexpr glm::vec3 kCreatureAt_m = {0.05f, 0.0f, 0.75f};
 constexpr float kWalkRadius_m = 0.72f;
-constexpr glm::vec3 kLamps_m[] = {{-1.5f, 2.45f, 0.6f}, {1.6f, 2.45f, -0.8f}};
+constexpr float kLampsHeight_m = 2.45f;
+constexpr glm::vec3 kLamps_m[] = {{kLampAX_m, kLampsHeight_m, kLampAZ_m},
+                                  {kLampBX_m, kLampsHeight_m, kLampBZ_m}};
 
 glm::mat4 movedTo(glm::vec3 at) {
   return glm::translate(glm::mat4(1.0f), at);

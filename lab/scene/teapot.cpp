@@ -50,7 +50,7 @@ class Teapot final : public Scene {
 
   CameraPose camera(std::string_view name, const CameraValues&, double time_s,
                     uint32_t) const override {
-    const auto t = static_cast<float>(name == "still" ? kStill_s : time_s);
+    const auto t = static_cast<float>(name == "orbit" ? time_s : kStill_s);
     CameraPose pose;
     const float azimuth = 0.45f + 0.6f * t;
     const float distance = 2.35f + 0.25f * std::sin(0.8f * t);
@@ -85,6 +85,7 @@ SceneInfo teapotScene() {
   return {.name = "teapot",
           .content = "Utah teapot, Voronoi cells in colour and height, moving lights",
           .cameras = {{"orbit", "around the pot, while three lights go their own ways", {}},
+                      {"lights", "does not move; the three lights do", {}},
                       {"still", "does not move, nor do the lights", {}, kStill_s}},
           .create = [] { return std::unique_ptr<Scene>(std::make_unique<Teapot>()); }};
 }

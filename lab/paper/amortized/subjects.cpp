@@ -52,11 +52,12 @@ const std::vector<double>& residualTolerances() {
 }
 
 std::string amortizedWith(double residual) {
-  return residual > 0.0 ? fmt::format("amortized:residual={}", residual) : "amortized";
+  return residual > 0.0 ? fmt::format("amortized:motion=exact,residual={}", residual)
+                        : "amortized:motion=exact";
 }
 
 std::string amortizedFor(PaperLab& lab, const Subject& subject) {
-  if (!subject.shading_changes) return "amortized";
+  if (!subject.shading_changes) return amortizedWith(0.0);
   std::string best;
   double best_db = 0.0;
   for (const double tolerance : residualTolerances()) {
@@ -74,7 +75,7 @@ std::string bestReprojection(PaperLab& lab, const std::string& run, const PaperV
   std::string best;
   double best_db = 0.0;
   for (const double alpha : {0.05, 0.1, 0.15, 0.2, 0.3, 0.4, 0.6, 0.8}) {
-    const std::string technique = fmt::format("reprojection:alpha={}", alpha);
+    const std::string technique = fmt::format("reprojection:jitter=uniform,alpha={}", alpha);
     const double db = movingPsnr(lab, run, technique, view);
     // PSNR has one peak over alpha: past it the search is over.
     if (!best.empty() && db < best_db) break;

@@ -41,12 +41,14 @@ const Subject& teapot();
 
 // Tolerances of the residual that Figure 10 goes through; 0: no residuals.
 const std::vector<double>& residualTolerances();
+// With motion as the paper's vertex shader computes it: to the buffers' own frames.
 std::string amortizedWith(double residual);
 // The technique as the paper runs it on the scene: its residual tolerance, where shading changes,
 // is that of the best PSNR in motion (section 6.2).
 std::string amortizedFor(PaperLab& lab, const Subject& subject);
 
-// Jittered reprojection with the constant smoothing factor of the best PSNR in motion (section 7).
+// Jittered reprojection as section 7 has it: uniform jitter, and the constant smoothing factor of
+// the best PSNR in motion.
 std::string bestReprojection(PaperLab& lab, const std::string& run, const PaperView& view = {});
 
 // Evaluations beyond the first in each pixel of a frame, 0 to 4: the requests that were served.

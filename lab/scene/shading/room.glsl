@@ -1,15 +1,16 @@
 // SPDX-License-Identifier: MIT
 // What a mirror sees of the scene `indoor`: its empty room, as a box whose walls, floor and ceiling
-// have cheap versions of their patterns. Measures are those of lab/scene/indoor.cpp.
+// have cheap versions of their patterns.
 #ifndef REPRISE_LAB_ROOM_GLSL
 #define REPRISE_LAB_ROOM_GLSL
 
 #include "equations/hash.h"
+#include "lab/scene/indoor/room_measures.h"
 #include "lab/scene/shading/lighting.glsl"
 #include "lab/scene/shading/surface_point.glsl"
 
-const vec3 kRoomLow_m = vec3(-4.0, 0.0, -3.5);
-const vec3 kRoomHigh_m = vec3(4.0, 3.2, 3.5);
+const vec3 kRoomLow_m = vec3(-0.5 * kRoomWidth_m, 0.0, -0.5 * kRoomLength_m);
+const vec3 kRoomHigh_m = vec3(0.5 * kRoomWidth_m, kRoomHeight_m, 0.5 * kRoomLength_m);
 // How bright a white wall is on average: about what the room's lamps give, chosen by eye.
 const vec3 kRoomGlow = vec3(0.62, 0.55, 0.47);
 
@@ -36,7 +37,8 @@ vec3 roomSeen(vec3 from_world, vec3 way) {
   if (t == reach.y) {
     if (way.y < 0.0) return kRoomGlow * roomFloor(at.xz);
     // Two lamps on a dark ceiling.
-    float lamp = min(distance(at.xz, vec2(-1.5, 0.6)), distance(at.xz, vec2(1.6, -0.8)));
+    float lamp = min(distance(at.xz, vec2(kLampAX_m, kLampAZ_m)),
+                     distance(at.xz, vec2(kLampBX_m, kLampBZ_m)));
     return lamp < 0.28 ? vec3(5.0, 4.4, 3.4) : kRoomGlow * vec3(0.20, 0.13, 0.07);
   }
   return kRoomGlow * roomWall(t == reach.x ? at.zy : at.xy);

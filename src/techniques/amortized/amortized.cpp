@@ -73,6 +73,8 @@ class Amortized final : public Technique {
     find.buffer(recorder.requests())
         .write(failed)
         .constants(constantsOf(recorder, state, targetOf(state)))
+        .read(recorder.history(samples_).previous(state.record))
+        .read(newestBuffer(recorder, state))
         .dispatch(state.output_extent);
     recorder.pass(request_.threshold)
         .buffer(recorder.requests())
@@ -142,7 +144,17 @@ class Amortized final : public Technique {
     pass.write(composesCoverage(state) ? recorder.history(resolved_).current(0)
                                        : state.frame.output.view);
     pass.constants(constantsOf(recorder, state, target));
+    pass.read(newestBuffer(recorder, state));
     pass.dispatch(state.output_extent);
+  }
+
+  // What the previous frame wrote, with its depths; any buffer where it wrote none.
+  VkImageView newestBuffer(Recorder& recorder, const FrameState& state) const {
+    uint32_t newest = 0;
+    for (uint32_t slot = 0; slot < past_.slots(); ++slot) {
+      if (past_.slot(slot).has_value() && past_.ageOf(slot, state.record) == 1) newest = slot;
+    }
+    return recorder.history(buffers_).copy(past_.copyOf(newest));
   }
 
   bool composesCoverage(const FrameState& state) const {

@@ -47,7 +47,8 @@ RequestPasses declareRequestPasses(Declaration& declaration, const Variant& vari
   passes.find = declaration.pass(
       {.name = "request",
        .spirv = kRequestFindShader,
-       .bindings = afterReprojection({Binding::kBuffer, Binding::kStorage, Binding::kConstants}),
+       .bindings = afterReprojection({Binding::kBuffer, Binding::kStorage, Binding::kConstants,
+                                      Binding::kLinear, Binding::kLinear}),
        .constant_bytes = sizeof(AmortizedConstants),
        .specialization = reprojectionSpecialization(variant)});
   passes.threshold = declaration.pass({.name = "request threshold",
@@ -70,10 +71,10 @@ PassHandle declareResolvePass(Declaration& declaration, const Variant& variant) 
   return declaration.pass(
       {.name = "resolve",
        .spirv = kResolveShader,
-       .bindings = afterReprojection({Binding::kTexel, Binding::kTexel, Binding::kLinear,
-                                      Binding::kTexel, Binding::kLinear, Binding::kStorage,
-                                      Binding::kStorage, Binding::kStorage, Binding::kStorage,
-                                      Binding::kStorage, Binding::kStorage, Binding::kConstants}),
+       .bindings = afterReprojection(
+           {Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kLinear,
+            Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kStorage,
+            Binding::kStorage, Binding::kStorage, Binding::kConstants, Binding::kLinear}),
        .constant_bytes = sizeof(AmortizedConstants),
        .specialization = std::move(specialization)});
 }

@@ -20,6 +20,19 @@ layout(binding = 10, std430) buffer Requests {
   uint entries[];
 };
 layout(binding = 11) writeonly uniform image2D failed_image;  // mask / 16
+layout(binding = 13) uniform sampler2D count_image;           // N of the previous frame
+layout(binding = 14) uniform sampler2D newest_image;          // the buffer that it wrote
+
+// As many quadrants as bring the pixel to k.quality samples: those that failed first.
+uint maskForQuality(uint failed, float count) {
+  int wanted = clamp(int(ceil(k.quality - count - 1.0)), 0, 4);
+  uint mask = 0u;
+  for (uint i = 0u; i < 8u && bitCount(mask) < wanted; ++i) {
+    uint bit = 1u << (i & 3u);
+    if (i >= 4u || (failed & bit) != 0u) mask |= bit;
+  }
+  return mask;
+}
 
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);
@@ -29,9 +42,14 @@ void main() {
   vec4 chained[2];
   motionsToBuffers(s, motions_px, chained);
   uint mask = 0u;
+  bool seen = false;
   for (uint b = 0u; b < kSlots; ++b) {
     Gathered pixel = gatherBuffer(b, s, motions_px[b], vec2(0.0), 1.0);
+    seen = seen || pixel.weight > 0.0;
     if (reprojectionFailed(pixel)) mask |= k.slots[b].quadrants;
+  }
+  if (k.quality > 0.0) {
+    mask = maskForQuality(mask, seen ? samplesBefore(count_image, newest_image, s) : 0.0);
   }
   imageStore(failed_image, px, vec4(float(mask) / 16.0));
   if (mask == 0u) return;

@@ -20,6 +20,7 @@ layout(binding = 11) uniform sampler2D extra_image;  // rgb: sum of served reque
 layout(binding = 12) uniform sampler2D count_image;  // N of the previous frame
 layout(binding = 13) uniform sampler2D residual_image;  // of the last four updates, signed roots
 layout(binding = 14) uniform sampler2D smoothed_residual_image;
+layout(binding = 22) uniform sampler2D newest_image;  // the buffer that the previous frame wrote
 layout(binding = 15) writeonly uniform image2D next_buffer_image;
 layout(binding = 16) writeonly uniform image2D next_count_image;
 layout(binding = 17) writeonly uniform image2D next_motion_image_0;
@@ -28,6 +29,9 @@ layout(binding = 19) writeonly uniform image2D next_residual_image;
 layout(binding = 20) writeonly uniform image2D output_image;
 
 const float kPixelTentRadius_px = 1.0;
+// A pixel's tent averages 16 texels like 10.24 equal ones (the inverse sum of its squared weights
+// at rest), where N counts four: what a single sample weighs beside N.
+const float kTexelsAverage = 10.24 / 4.0;
 // Of a blurred pixel: one a pixel of motion, so that the tents overlap; longer motion is sampled
 // more sparsely.
 const int kMostShutterTaps = 16;
@@ -112,15 +116,14 @@ void main() {
   bool seen_before = pixel_weight > 1.0e-4;
 
   // Weight of the new sample (26): in the pixel, beta; in its buffer, alpha.
-  vec2 previous_px = previousPx(s);
-  vec2 previous_uv =
-      clamp(previous_px, vec2(0.5), k.frame.extent_px - 0.5) * k.frame.history_texel_uv;
-  float count = seen_before ? textureLod(count_image, previous_uv, 0.0).x : 0.0;
+  float count = seen_before ? samplesBefore(count_image, newest_image, s) : 0.0;
   float bound = 0.0;
   if (seen_before) bound = blurBound(s.motion_px);
   float change_bound = 0.0;
   vec4 residuals = vec4(0.0);
   if (kResiduals != 0u && seen_before) {
+    vec2 previous_uv =
+        clamp(previousPx(s), vec2(0.5), k.frame.extent_px - 0.5) * k.frame.history_texel_uv;
     residuals = unpackedResiduals(textureLod(residual_image, previous_uv, 0.0));
     float smoothed = textureLod(smoothed_residual_image, previous_uv, 0.0).x;
     change_bound = residualBound(smoothed, k.residual_tolerance);
@@ -155,8 +158,13 @@ void main() {
   if (k.extra_given > 0.5) {
     vec4 extra = texelFetch(extra_image, px, 0);
     if (extra.a > 0.0) {
-      pixel_sum += sanitizedColor(extra.rgb);
-      pixel_weight += extra.a;
+      // Asked for to hold a quality, one is a sample beside those that the buffers hold.
+      float each = 1.0;
+      if (k.quality > 0.0 && seen_before) {
+        each = min(pixel_weight / (kTexelsAverage * max(count, 1.0)), 1.0);
+      }
+      pixel_sum += each * sanitizedColor(extra.rgb);
+      pixel_weight += each * extra.a;
       if (!seen_before) share = 1.0 / (1.0 + extra.a);
     }
   }

@@ -18,6 +18,8 @@ constexpr double kBlurOfBuffers_px2[] = {1.0, 0.3, 0.25};
 
 // A new sample and one for each of four quadrants.
 constexpr double kMostEvaluations = 5.0;
+// Beyond the effective samples that a moving history reaches, every pixel would ask for ever.
+constexpr double kHighestQuality = 64.0;
 
 constexpr auto kSettings = settingTable({
     choiceSetting(kBufferCount, "buffers", kBuffersFour, kBufferNames,
@@ -47,6 +49,11 @@ constexpr auto kSettings = settingTable({
         "mean evaluations a pixel that a frame may ask for, its own included; less leaves "
         "out those that would gain least",
         "Yang et al. 2009, section 5.3: 1 to 5, without a limit on the mean"),
+    numberSetting(kQuality, "quality", 0.0, 0.0, kHighestQuality, "samples",
+                  "samples that every pixel is brought to, those that its history is worth and "
+                  "the new one included, as far as five evaluations and the budget reach; asks "
+                  "for what is missing and no more; 0: for every quadrant that failed",
+                  "Yang et al. 2009, section 8, future work: a target quality"),
     numberSetting(kBlur, "blur", 0.0, 0.0, kWidestBlur_px2, "px^2",
                   "largest second moment that resampling may reach (tau_b); raising it averages "
                   "more frames and blurs more; below that of the samples every buffer starts anew "
@@ -69,10 +76,10 @@ constexpr auto kSettings = settingTable({
                   "silhouettes by hardware multisampling: RepriseFrame::depth_samples says which "
                   "share of a pixel each neighbouring surface covers; costs 8 bytes a pixel",
                   "Yang et al. 2009, sections 1 and 8: framebuffer multisampling for silhouettes"),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.01, 0.001, 1.0, "relative",
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.003, 0.001, 1.0, "relative",
                   "relative difference of depths, beyond the surface's slope, that is still the "
                   "same surface",
-                  "above the 2^-11 of a depth in half precision; 0.01 is customary"),
+                  "six times the 2^-11 of a depth in half precision; README.md, depth tolerance"),
 });
 static_assert(kSettings.size() == kSettingCount);
 

@@ -17,6 +17,7 @@ enum Setting : uint32_t {
   kOrder,
   kRequests,
   kBudget,
+  kQuality,
   kBlur,
   kResidual,
   kFixedAlpha,

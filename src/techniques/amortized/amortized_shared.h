@@ -39,6 +39,10 @@ struct AmortizedConstants {
   float extra_given;         // 1: the frame came with served requests
   float buffer_count;        // K
   float shutter;             // share of a frame that it is open; 0: no motion blur
+  float quality;             // samples that a pixel is brought to; 0: not held
+  float previous_slot;       // of the buffer that the previous frame wrote; -1: none is readable
+  float padding_0;
+  float padding_1;
   // Slice of alpha_tau_b, bytes, [vy * 64 + vx]: four to a word, four words to a vector.
 #ifdef __cplusplus
   uint blur_slice[1024];
@@ -69,7 +73,7 @@ struct CoverageConstants {
 
 #ifdef __cplusplus
 static_assert(sizeof(CoverageConstants) == 128);
-static_assert(sizeof(AmortizedConstants) == 112 + 4 * 48 + 128 + 16 + 32 + 4096);
+static_assert(sizeof(AmortizedConstants) == 112 + 4 * 48 + 128 + 16 + 48 + 4096);
 static_assert(sizeof(RequestConstants) == 128);
 }  // namespace reprise::amortized
 #endif

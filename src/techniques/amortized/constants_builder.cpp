@@ -24,6 +24,7 @@ AmortizedConstants ConstantsBuilder::of(const BufferHistory& past, const FrameSt
   const uint32_t count = bufferCount(s);
   const BufferLayout layout = bufferLayout(count);
   AmortizedConstants constants{};
+  constants.previous_slot = -1.0f;
   constants.frame = frameConstants(state, history_extent);
   for (uint32_t slot = 0; slot < kMaxBuffers; ++slot) {
     SlotState& to = constants.slots[slot];
@@ -36,6 +37,7 @@ AmortizedConstants ConstantsBuilder::of(const BufferHistory& past, const FrameSt
     const eq::vec2 place = eq::quadrantOffset(written.quadrant);
     to.place_age =
         eq::vec4(place.x, place.y, static_cast<float>(past.ageOf(slot, state.record)), 1.0f);
+    if (past.ageOf(slot, state.record) == 1) constants.previous_slot = static_cast<float>(slot);
     to.exposure_ratio = state.frame.pre_exposure / written.pre_exposure;
     if (state.frame.camera != nullptr && written.camera.has_value()) {
       to.depth_coefficients = eq::previousDepthCoefficients(
@@ -55,6 +57,7 @@ AmortizedConstants ConstantsBuilder::of(const BufferHistory& past, const FrameSt
   constants.depth_tolerance = s.real(kDepthTolerance);
   constants.residual_tolerance = s.real(kResidual);
   constants.fixed_alpha = s.real(kFixedAlpha);
+  constants.quality = s.real(kQuality);
   constants.shutter = s.real(kShutter);
   constants.extra_given = state.frame.extra.view != VK_NULL_HANDLE ? 1.0f : 0.0f;
   const double threshold_px2 = blurTolerance(s);

@@ -46,6 +46,7 @@ struct Surface {
   vec2 center_px;
   float view_depth;
   vec2 depth_slope;  // change of depth over a pixel of the surface
+  float depth_span;  // silhouettes: how far behind it the farthest of 3x3 lies
   vec2 motion_px;    // to the previous frame
   vec2 motion_dx;    // d motion_px / d px.x on the surface
   vec2 motion_dy;
@@ -67,17 +68,20 @@ Surface surfaceAt(ivec2 px) {
   s.center_px = vec2(px) + 0.5;
   ivec2 at_px = px;
   s.view_depth = depthAt(px, last_px);
+  float farthest = s.view_depth;
   if (kSilhouettes != 0u) {
     // The closest of 3x3: motion reaches half a pixel beyond the edge that is jittered across it.
     for (int i = 0; i < 9; ++i) {
       ivec2 neighbour_px = px + ivec2(i % 3 - 1, i / 3 - 1);
       float depth = depthAt(neighbour_px, last_px);
+      farthest = max(farthest, depth);
       if (depth < s.view_depth) {
         s.view_depth = depth;
         at_px = clamp(neighbour_px, ivec2(0), last_px);
       }
     }
   }
+  s.depth_span = farthest - s.view_depth;
   s.motion_px = motionAt(at_px, last_px);
   vec2 steps[2];
   for (int axis = 0; axis < 2; ++axis) {
@@ -141,6 +145,51 @@ void motionsToBuffers(Surface s, out vec2 motions_px[4], out vec4 chained[2]) {
   }
 }
 
+// Which of four texels, whose first is at `base`, show the surface; `depths` is what they hold, and
+// `state` of the frame that wrote them. 1 or 0 each.
+vec4 validTexels(vec4 depths, vec2 base, SlotState state, Surface s, vec2 offset_px) {
+  float view_depth = s.view_depth + dot(s.depth_slope, offset_px);
+  float expected = expectedPreviousDepth(state.depth_coefficients,
+                                         s.center_px - k.frame.jitter_px + offset_px, view_depth);
+  expected = min(expected, kFarthestHalf);
+  // Only the camera's motion is known to it. What moves by itself may have kept its depth, as a
+  // horse does that the camera runs beside: anything between the two is the same surface.
+  float same_depth = min(view_depth, kFarthestHalf);
+  // A slanted surface differs from texel to texel by its slope; a half adds its rounding.
+  vec4 slack =
+      vec4(k.depth_tolerance * expected + 1.5 * (abs(s.depth_slope.x) + abs(s.depth_slope.y)));
+  vec4 nearer = vec4(min(expected, same_depth)) - depths;
+  vec4 farther = depths - vec4(max(expected, same_depth));
+  // At a silhouette the jitter moves the edge across the pixel: what lies behind the edge now may
+  // have been in the pixel then.
+  farther -= vec4(s.depth_span);
+  vec4 valid = mix(vec4(0.0), vec4(1.0), lessThanEqual(max(nearer, farther), slack));
+  valid *= vec4(greaterThan(depths, vec4(0.0)));
+  // Texels outside the frame hold nothing; the sampler would repeat the border.
+  vec2 last = k.frame.extent_px - 1.0;
+  vec2 low = vec2(greaterThanEqual(base, vec2(0.0))) * vec2(lessThanEqual(base, last));
+  vec2 high = vec2(greaterThanEqual(base + 1.0, vec2(0.0))) * vec2(lessThanEqual(base + 1.0, last));
+  return valid * vec4(low.x * low.y, high.x * low.y, low.x * high.y, high.x * high.y);
+}
+
+// N of the previous frame where the surface was, from the texels of `counts` that show it;
+// `newest` is the buffer that frame wrote. 0 where none does.
+float samplesBefore(sampler2D counts, sampler2D newest, Surface s) {
+  vec2 previous_px = previousPx(s);
+  if (k.previous_slot < 0.0) {
+    vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.extent_px - 0.5);
+    return textureLod(counts, inside_px * k.frame.history_texel_uv, 0.0).x;
+  }
+  vec2 base = floor(previous_px - 0.5);
+  vec2 fraction = previous_px - 0.5 - base;
+  vec2 corner_uv = (base + 1.0) * k.frame.history_texel_uv;
+  vec4 depths = textureGather(newest, corner_uv, 3).wzxy;
+  vec4 w = tentWeights(fraction.x, fraction.y, 1.0) *
+           validTexels(depths, base, k.slots[int(k.previous_slot)], s, vec2(0.0));
+  float sum = w.x + w.y + w.z + w.w;
+  return sum > 0.0 ? dot(w, textureGather(counts, corner_uv, 0).wzxy) / sum : 0.0;
+}
+
 // What one buffer gives to a gather: the sum over its texels, and the sum of their weights.
 struct Gathered {
   vec3 sum;
@@ -166,29 +215,7 @@ Gathered gatherFrom(sampler2D image, Surface s, uint b, vec2 motion_px, vec2 off
   vec4 w = tentWeights(fraction.x, fraction.y, radius_px * tentGrowth(column_x, column_y));
 
   vec4 depths = textureGather(image, (base + 1.0) * k.frame.history_texel_uv, 3).wzxy;
-  float view_depth = s.view_depth + dot(s.depth_slope, offset_px);
-  float expected = expectedPreviousDepth(state.depth_coefficients,
-                                         s.center_px - k.frame.jitter_px + offset_px, view_depth);
-  expected = min(expected, kFarthestHalf);
-  // Only the camera's motion is known to it. What moves by itself may have kept its depth, as a
-  // horse does that the camera runs beside: anything between the two is the same surface.
-  float same_depth = min(view_depth, kFarthestHalf);
-  // A slanted surface differs from texel to texel by its slope; a half adds its rounding.
-  vec4 slack =
-      vec4(k.depth_tolerance * expected + 1.5 * (abs(s.depth_slope.x) + abs(s.depth_slope.y)));
-  vec4 nearer = vec4(min(expected, same_depth)) - depths;
-  vec4 farther = depths - vec4(max(expected, same_depth));
-  // Silhouettes: only what was hidden is unseen. A nearer surface may be the other side of the
-  // edge that the jitter moves across the pixel.
-  bvec4 agrees = kSilhouettes != 0u ? lessThanEqual(nearer, slack)
-                                    : lessThanEqual(max(nearer, farther), slack);
-  vec4 valid = mix(vec4(0.0), vec4(1.0), agrees);
-  valid *= vec4(greaterThan(depths, vec4(0.0)));
-  // Texels outside the frame hold nothing; the sampler would repeat the border.
-  vec2 last = k.frame.extent_px - 1.0;
-  vec2 low = vec2(greaterThanEqual(base, vec2(0.0))) * vec2(lessThanEqual(base, last));
-  vec2 high = vec2(greaterThanEqual(base + 1.0, vec2(0.0))) * vec2(lessThanEqual(base + 1.0, last));
-  valid *= vec4(low.x * low.y, high.x * low.y, low.x * high.y, high.x * high.y);
+  vec4 valid = validTexels(depths, base, state, s, offset_px);
 
   float full = w.x + w.y + w.z + w.w;
   vec4 kept = w * valid;
@@ -202,7 +229,7 @@ Gathered gatherFrom(sampler2D image, Surface s, uint b, vec2 motion_px, vec2 off
     mean = textureLod(image, at * k.frame.history_texel_uv, 0.0).rgb;
   } else {
     ivec2 texel = ivec2(base);
-    ivec2 limit = ivec2(last);
+    ivec2 limit = ivec2(k.frame.extent_px) - 1;
     mean = texelFetch(image, clamp(texel, ivec2(0), limit), 0).rgb * kept.x +
            texelFetch(image, clamp(texel + ivec2(1, 0), ivec2(0), limit), 0).rgb * kept.y +
            texelFetch(image, clamp(texel + ivec2(0, 1), ivec2(0), limit), 0).rgb * kept.z +

@@ -29,10 +29,9 @@ constexpr auto kSettings = settingTable({
                   "sample positions: Halton(2,3), which fill the pixel evenly, or independent "
                   "uniform ones, a new one for every frame",
                   "Scherzer et al. 2007, Yang et al. 2009, section 7: uniform; Halton does better"),
-    integerSetting(
-        kJitterLength, "jitter_length", 16, 1, 1024, "frames",
-        "length of the Halton(2,3) cycle; 1: the centre",
-        "Scherzer et al. 2007 jitter uniformly over the pixel"),
+    integerSetting(kJitterLength, "jitter_length", 16, 1, 1024, "frames",
+                   "length of the Halton(2,3) cycle; 1: the centre",
+                   "Scherzer et al. 2007 jitter uniformly over the pixel"),
     numberSetting(
         kDepthTolerance, "depth_tolerance", 0.02, 0.001, 1.0, "relative",
         "largest relative difference of depths that still counts as the same surface; "

@@ -51,7 +51,7 @@ void main() {
     vec3 shown = vec3(0.0);
     for (int i = 0; i < kPositions; ++i) shown += shadeTriangle(seen, center_px + kPositions_px[i]);
     const float kShare = 1.0 / float(kPositions);
-    gain.a = hiddenBase(kShare * shown_gleam);
+    gain.a = hiddenBase(kShare * shown_gleam, kShare * hidden_light);
     gain.rgb = hiddenGain(kShare * shown, kShare * hidden_light, gain.a);
   }
   countEvaluations(reached ? uint(kPositions) : 0u);

@@ -16,8 +16,11 @@ EQ_CONST float kGleamWeight = 4.0f;
 // Both lights fall on one surface, so their quotient is free of its colour, and with it of most of
 // what aliases. Added as it is, hidden light would bring the aliasing of its few samples along.
 // After section 6 of Yang et al. 2009, which amortizes what does not depend on the light.
-EQ_FN float hiddenBase(vec3 shown_gleam) {
-  return kLeastShownLight + kGleamWeight * max(max(shown_gleam.x, shown_gleam.y), shown_gleam.z);
+// The hidden light in the base keeps the gain below 1: where little light is shown, its deviation
+// from its mean would be multiplied, and the result be too bright on average.
+EQ_FN float hiddenBase(vec3 shown_gleam, vec3 hidden) {
+  vec3 parts = kGleamWeight * shown_gleam + hidden;
+  return kLeastShownLight + max(max(parts.x, parts.y), parts.z);
 }
 EQ_FN vec3 hiddenGain(vec3 shown, vec3 hidden, float base) {
   return hidden / (shown + vec3(base, base, base));

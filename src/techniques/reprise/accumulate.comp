@@ -19,7 +19,7 @@ layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D motion_image;
 layout(binding = 2) uniform sampler2D reactive_image;
 layout(binding = 3) uniform sampler2D predicted_image;
-layout(binding = 4) uniform sampler2D depth_image;    // this frame's surface, view depth
+layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D history_image;  // rgb linear, a: samples held
 layout(binding = 6) uniform sampler2D history_depth_image;
 layout(binding = 7) uniform sampler2D change_image;  // rgb mean of residuals, a: their variance
@@ -99,12 +99,18 @@ void main() {
   imageStore(next_change_image, px, change);
   float changed = max(believed, now);
 
-  float expected =
-      expectedPreviousDepth(k.frame.previous_depth_coefficients, center_px - k.frame.jitter_px,
-                            texelFetch(depth_image, px, 0).x);
+  // The surface as a plane: how near it was at the pixel, and how that changes over pixels.
+  float near = nearness(k.frame, depth_image, surface_px, last_px);
+  float left = nearness(k.frame, depth_image, surface_px - ivec2(1, 0), last_px);
+  float right = nearness(k.frame, depth_image, surface_px + ivec2(1, 0), last_px);
+  float above = nearness(k.frame, depth_image, surface_px - ivec2(0, 1), last_px);
+  float below = nearness(k.frame, depth_image, surface_px + ivec2(0, 1), last_px);
+  vec2 slope = vec2(smallerOf(right - near, near - left), smallerOf(below - near, near - above));
+  float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
+                                         center_px - k.frame.jitter_px, 1.0 / near);
   HistoryBlock block =
       historyBlock(history_image, history_depth_image, k, 2.0 * (vec2(px) + motion_px) * scale,
-                   min(expected, kMaxViewDepth), on_screen);
+                   1.0 / clamp(expected, 1.0e-9, kMaxViewDepth), slope, on_screen);
 
   float reactive = 0.0;
   if (k.frame.reactive_given > 0.5) {

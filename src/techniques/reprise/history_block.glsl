@@ -13,10 +13,10 @@ struct HistoryBlock {
   float weight[4];  // 0: nothing there to be had
 };
 
-// `at`: where the corner of the pixel's first texel was, in texels. `expected`: the view depth that
-// this surface had there.
+// `at`: where the corner of the pixel's first texel was, in texels. `near`: the inverse view depth
+// that this surface had there, and its slope a pixel.
 HistoryBlock historyBlock(sampler2D history_image, sampler2D history_depth_image,
-                          RepriseConstants k, vec2 at, float expected, bool on_screen) {
+                          RepriseConstants k, vec2 at, float near, vec2 slope, bool on_screen) {
   vec2 last_texel = 2.0 * k.frame.previous_extent_px - 1.0;
   at = clamp(at, vec2(0.0), last_texel - 1.0);
   vec2 base = floor(at);
@@ -30,7 +30,12 @@ HistoryBlock historyBlock(sampler2D history_image, sampler2D history_depth_image
   for (int i = 0; i < 9; ++i) {
     ivec2 at_px = clamp(first_px + ivec2(i % 3, i / 3), ivec2(0), last_px);
     float depth = texelFetch(history_depth_image, at_px, 0).x;
-    valid[i] = on_screen && wasVisible(expected, depth, k.depth_tolerance) ? 1.0 : 0.0;
+    // The surface's plane where that pixel's depth was sampled; the pixel's centre is 1 texel from
+    // `at`.
+    vec2 offset_px =
+        vec2(at_px) + 0.5 - 0.5 * (at + 1.0) + k.frame.jitter_px - k.frame.previous_jitter_px;
+    float there = near + dot(slope, offset_px);
+    valid[i] = on_screen && there >= (1.0 - k.depth_tolerance) / depth ? 1.0 : 0.0;
     valid_count += valid[i];
   }
   // A cubic with taps left out would overshoot: bilinear over what is there.

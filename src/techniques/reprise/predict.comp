@@ -28,25 +28,25 @@ void main() {
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
   if (any(greaterThan(px, last_px))) return;
 
-  // Silhouettes move with what they belong to: the closest surface of the cross. On a slope depth
-  // falls as much on one side as it rises on the other; there the pixel keeps its own motion, since
+  // Silhouettes move with what they belong to: the closest surface of the cross. On a slope one
+  // neighbour is as much nearer as the opposite one is farther; there the pixel keeps its own motion, since
   // a neighbour's would shift history by the same fraction of a pixel in every frame.
-  float depths[5];
-  for (int i = 0; i < 5; ++i) {
-    ivec2 at_px = clamp(px + kCross[i], ivec2(0), last_px);
-    depths[i] = viewDepth(k.frame, texelFetch(depth_image, at_px, 0).x);
-  }
+  float near[5];
+  for (int i = 0; i < 5; ++i) near[i] = nearness(k.frame, depth_image, px + kCross[i], last_px);
   int closest = 0;
-  float view_depth = depths[0];
+  float surface = near[0];
   for (int i = 1; i < 5; ++i) {
-    float opposite = depths[((i - 1) ^ 1) + 1];
-    float slope = abs(opposite - depths[0]);
-    bool silhouette = depths[0] - depths[i] > 2.0 * slope + kSilhouette * depths[0];
-    if (silhouette && depths[i] < view_depth) {
-      view_depth = depths[i];
+    float slope = abs(near[((i - 1) ^ 1) + 1] - near[0]);
+    bool silhouette = near[i] - near[0] > 2.0 * slope + kSilhouette * near[0];
+    if (silhouette && near[i] > surface) {
+      surface = near[i];
       closest = i;
     }
   }
+  float view_depth = 1.0 / surface;
+  float slope = closest != 0 ? 0.0
+                             : abs(smallerOf(near[1] - surface, near[2] - surface)) +
+                                   abs(smallerOf(near[3] - surface, near[4] - surface));
   ivec2 surface_px = clamp(px + kCross[closest], ivec2(0), last_px);
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
 
@@ -59,7 +59,7 @@ void main() {
   vec4 depths_then = textureGather(history_depth_image, uv, 0);
   float nearest = min(min(depths_then.x, depths_then.y), min(depths_then.z, depths_then.w));
   bool valid = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px) &&
-               wasVisible(min(expected, kMaxViewDepth), nearest, k.depth_tolerance);
+               1.0 / expected + slope >= (1.0 - k.depth_tolerance) / nearest;
   vec3 predicted = sanitizedColor(textureLod(history_image, uv, 0.0).rgb * k.frame.exposure_ratio);
 
   imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));

@@ -3,6 +3,7 @@
 #ifndef REPRISE_TECHNIQUES_REPRISE_PREDICTION_GLSL
 #define REPRISE_TECHNIQUES_REPRISE_PREDICTION_GLSL
 
+#include "core/frame_inputs.glsl"
 #include "equations/color_space.h"
 #include "techniques/reprise/reprise_shared.h"
 
@@ -20,6 +21,15 @@ int surfaceIndex(vec4 predicted) {
 // Changes are taken relative to the predicted luma, so that light and dark count alike.
 float relativeWeight(vec3 predicted) {
   return 1.0 / (lumaYCoCg(predicted) + kDarkest);
+}
+
+// Inverse view depth, which is linear over the pixels of a plane.
+float nearness(FrameConstants frame, sampler2D depth_image, ivec2 px, ivec2 last_px) {
+  return 1.0 / viewDepth(frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);
+}
+// Of two differences to neighbours the smaller: the larger may lead to another surface.
+float smallerOf(float a, float b) {
+  return abs(a) < abs(b) ? a : b;
 }
 
 #endif

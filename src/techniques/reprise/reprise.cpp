@@ -163,7 +163,7 @@ class RepriseTechnique final : public Technique {
         .read(state.frame.motion)
         .read(recorder.orFloatPlaceholder(state.frame.reactive))
         .read(predicted.current(0))
-        .read(depth.current(n))
+        .read(state.frame.depth)
         .read(color.previous(n))
         .read(depth.previous(n))
         .read(change.previous(n))

@@ -20,7 +20,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kSharpness, "sharpness", 0.5, 0.0, 1.0, "",
                   "c of the cubic that moves history: 0.5 is Catmull-Rom, more overshoots",
                   "Jimenez 2016"),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0001, 1.0, "relative",
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.06, 0.0001, 1.0, "relative",
                   "how much farther than a tap the current surface may be", "as taa"),
     numberSetting(kBound, "bound", 3.0, 0.0, 1000.0, "standard deviations",
                   "half-size of the bound of history without evidence of change; wider keeps more "

@@ -40,8 +40,9 @@ const float kChangeCount = 3.0;
 
 // Residuals of 3x3, relative to luma, about the prediction after `gain` (eq. 7).
 struct Pooled {
-  vec3 mean;
+  float mean;
   float variance;
+  float luma;
   float count;
 };
 
@@ -53,7 +54,7 @@ void main() {
   vec2 center_px = vec2(px) + 0.5;
   vec3 gain = textureLod(gain_image, min(center_px * k.tile_uv, k.last_tile_uv), 0.0).rgb;
   vec3 samples[9];
-  Pooled pooled = Pooled(vec3(0.0), 0.0, 0.0);
+  Pooled pooled = Pooled(0.0, 0.0, 0.0, 0.0);
   vec4 predicted = vec4(0.0);
   vec3 current = vec3(0.0);
   for (int i = 0; i < 9; ++i) {
@@ -63,41 +64,48 @@ void main() {
     told.rgb *= gain;
     samples[i] = yCoCgFromRgb(color);
     float w = isPredicted(told);
-    vec3 residual = (color - told.rgb) * (w * relativeWeight(told.rgb));
+    float foretold = lumaYCoCg(told.rgb);
+    float residual = w * (samples[i].x - foretold);
     pooled.mean += residual;
-    pooled.variance += dot(residual, residual);
+    pooled.variance += residual * residual;
+    pooled.luma += w * foretold;
     pooled.count += w;
     if (i == 4) {
       predicted = told;
       current = color;
     }
   }
-  pooled.mean /= max(pooled.count, 1.0);
-  pooled.variance =
-      max(pooled.variance / max(pooled.count, 1.0) - dot(pooled.mean, pooled.mean), 0.0);
+  float per = 1.0 / max(pooled.count, 1.0);
+  float scale = per / (pooled.luma * per + kDarkest);
+  pooled.mean *= scale;
+  pooled.variance = max(pooled.variance * scale * scale / per - pooled.mean * pooled.mean, 0.0);
 
   ivec2 surface_px = clamp(px + kCross[surfaceIndex(predicted)], ivec2(0), last_px);
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
-  vec2 scale = k.frame.previous_extent_px / k.frame.extent_px;
-  vec2 previous_px = (center_px + motion_px) * scale;
+  vec2 then_scale = k.frame.previous_extent_px / k.frame.extent_px;
+  vec2 previous_px = (center_px + motion_px) * then_scale;
   vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.previous_extent_px - 0.5);
   bool on_screen = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px);
   bool still = dot(motion_px, motion_px) < kStillMotion_px * kStillMotion_px;
 
   // Evidence of this frame alone, then of the running mean (eq. 8).
-  vec4 change = textureLod(change_image, inside_px * k.frame.history_texel_uv, 0.0);
+  vec4 then = textureLod(change_image, inside_px * k.frame.history_texel_uv, 0.0);
   float known = on_screen && pooled.count > 0.5 ? 1.0 : 0.0;
-  float noise = max(change.a, kSmallestSquare) / kChangeCount;
-  float now = known * believedShare(dot(pooled.mean, pooled.mean), noise, k.doubt_now);
+  float spatial = (pooled.variance + kSmallestSquare) / kChangeCount;
+  float noise = then.z > 0.0 ? max(then.z, k.x0 * spatial) : max(spatial, pooled.mean * pooled.mean);
+  float now = known * believedShare(pooled.mean * pooled.mean, noise, k.doubt_now);
   float weight = max(kChangeMemory, now);
-  change.rgb = known * mix(change.rgb, pooled.mean, weight);
-  change.a = known * mix(change.a, pooled.variance, change.a > 0.0 ? kChangeMemory : 1.0);
-  float believed = known * believedShare(dot(change.rgb, change.rgb),
-                                         noise * exponentialMeanVariance(weight), k.doubt_mean);
-  vec3 offset = believed * change.rgb / relativeWeight(predicted.rgb);
-  change.rgb *= 1.0 - believed;
-  imageStore(next_change_image, px, change);
+  float change = known * mix(then.x, pooled.mean, weight);
+  float step = pooled.mean - then.y;
+  float believed = known * believedShare(change * change, noise * exponentialMeanVariance(weight),
+                                         k.doubt_mean);
+  float next_noise = mix(noise, 0.5 * step * step, k.x2);
+  imageStore(next_change_image, px,
+             known * vec4(change * (1.0 - believed), pooled.mean, next_noise, 0.0));
   float changed = max(believed, now);
+  // As a gain where history is as bright as it was foretold.
+  gain *= 1.0 + clamp(believed * change, -0.9, 4.0);
+  vec3 offset = vec3(0.0);
 
   // The surface as a plane: how near it was at the pixel, and how that changes over pixels.
   float near = nearness(k.frame, depth_image, surface_px, last_px);
@@ -109,7 +117,7 @@ void main() {
   float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                          center_px - k.frame.jitter_px, 1.0 / near);
   HistoryBlock block =
-      historyBlock(history_image, history_depth_image, k, 2.0 * (vec2(px) + motion_px) * scale,
+      historyBlock(history_image, history_depth_image, k, 2.0 * (vec2(px) + motion_px) * then_scale,
                    1.0 / clamp(expected, 1.0e-9, kMaxViewDepth), slope, on_screen);
 
   float reactive = 0.0;
@@ -122,10 +130,10 @@ void main() {
   vec3 shown = vec3(0.0);
   for (int j = 0; j < 4; ++j) {
     vec3 followed = max(block.texel[j].rgb * (gain * k.frame.exposure_ratio) + offset, vec3(0.0));
-    vec3 then = yCoCgFromRgb(min(followed, vec3(kMaxColor)));
-    vec3 reach = half_size * m.deviation + boundSlack(then, samples[4]);
-    vec3 bounded = clipTowardBoxCentre(m.mean - reach, m.mean + reach, then);
-    float clipped = length(bounded - then) / (length(then - samples[4]) + 1.0e-4);
+    vec3 history = yCoCgFromRgb(min(followed, vec3(kMaxColor)));
+    vec3 reach = half_size * m.deviation + boundSlack(history, samples[4]);
+    vec3 bounded = clipTowardBoxCentre(m.mean - reach, m.mean + reach, history);
+    float clipped = length(bounded - history) / (length(history - samples[4]) + 1.0e-4);
 
     // Samples held, and the new one's weight (eq. 11).
     float count = min(block.texel[j].a, limit) * (1.0 - reactive);

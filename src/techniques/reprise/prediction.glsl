@@ -18,11 +18,6 @@ int surfaceIndex(vec4 predicted) {
   return int(predicted.a + 0.5) & 7;
 }
 
-// Changes are taken relative to the predicted luma, so that light and dark count alike.
-float relativeWeight(vec3 predicted) {
-  return 1.0 / (lumaYCoCg(predicted) + kDarkest);
-}
-
 // Inverse view depth, which is linear over the pixels of a plane.
 float nearness(FrameConstants frame, sampler2D depth_image, ivec2 px, ivec2 last_px) {
   return 1.0 / viewDepth(frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);

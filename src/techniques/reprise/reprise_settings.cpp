@@ -45,6 +45,10 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kDoubtMean, "doubt_mean", 3.0, 0.0, 1.0e6, "variances",
                   "how strong the mean residual of the last frames must be to be followed",
                   "experiment: README.md"),
+    numberSetting(kX0, "x0", 0.3, -1e6, 1e6, "", "", "", 0),
+    numberSetting(kX1, "x1", 4.0, -1e6, 1e6, "", "", "", 0),
+    numberSetting(kX2, "x2", 0.2, -1e6, 1e6, "", "", "", 0),
+    numberSetting(kX3, "x3", 0.0, -1e6, 1e6, "", "", "", 0),
 });
 const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
 

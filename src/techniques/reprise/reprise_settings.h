@@ -20,6 +20,10 @@ enum Setting : uint32_t {
   kDoubtLight,
   kDoubtNow,
   kDoubtMean,
+  kX0,
+  kX1,
+  kX2,
+  kX3,
   kSettingCount
 };
 

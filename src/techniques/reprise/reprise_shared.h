@@ -37,10 +37,14 @@ struct RepriseConstants {
   float doubt_light;
   float doubt_now;
   float doubt_mean;
+  float x0;
+  float x1;
+  float x2;
+  float x3;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 80);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 96);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

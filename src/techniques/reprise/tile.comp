@@ -35,16 +35,19 @@ void main() {
       vec3 color = sanitizedColor(texel);
       // What was no colour says nothing of light.
       float known = isPredicted(predicted) * (color == texel ? 1.0 : 0.0);
-      float w = known * relativeWeight(predicted.rgb);
-      vec3 change = w * (color - predicted.rgb);
-      came += w * color;
-      told += w * predicted.rgb;
-      square += dot(change, change);
+      vec3 change = color - predicted.rgb;
+      came += known * color;
+      told += known * predicted.rgb;
+      square += known * dot(change, change);
       count += known;
     }
   }
   const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);
-  came = min(came * kShare, vec3(kMaxColor));
-  imageStore(came_image, tile, vec4(came, min(square * kShare, kMaxColor)));
-  imageStore(told_image, tile, vec4(told * kShare, count * kShare));
+  // Relative to the tile's luma: a weight a pixel would take its noise for change, since where
+  // history is too dark by chance it weighs more and light seems to rise.
+  float scale = kShare / (lumaYCoCg(told) / max(count, 1.0) + kDarkest);
+  came = min(came * scale, vec3(kMaxColor));
+  square = min(square * kShare * (scale / kShare) * (scale / kShare), kMaxColor);
+  imageStore(came_image, tile, vec4(came, square));
+  imageStore(told_image, tile, vec4(told * scale, count * kShare));
 }

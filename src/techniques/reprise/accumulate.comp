@@ -22,7 +22,7 @@ layout(binding = 3) uniform sampler2D predicted_image;
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D history_image;  // rgb linear, a: samples held
 layout(binding = 6) uniform sampler2D history_depth_image;
-layout(binding = 7) uniform sampler2D change_image;  // rgb mean of residuals, a: their variance
+layout(binding = 7) uniform sampler2D change_image;  // x: mean, y: the last, z: noise of residuals
 layout(binding = 8) uniform sampler2D gain_image;    // one texel a tile
 layout(binding = 9) writeonly uniform image2D next_history_image;
 layout(binding = 10) writeonly uniform image2D next_change_image;
@@ -37,6 +37,13 @@ const float kStillMotion_px = 0.01;
 const float kChangeMemory = 0.3;
 // Residuals of 3x3 that count as independent: an edge's aliasing errs alike along a row.
 const float kChangeCount = 3.0;
+
+// Weight of a new squared difference of residuals from frame to frame in its mean, the noise.
+const float kNoiseMemory = 0.5;
+// The least noise, as a share of what the residuals' scatter over 3x3 says.
+const float kSpatialShare = 0.3;
+// At rest nothing is lost by waiting, and history is long enough to be worth it.
+const float kPatience = 4.0;
 
 // Residuals of 3x3, relative to luma, about the prediction after `gain` (eq. 7).
 struct Pooled {
@@ -91,21 +98,21 @@ void main() {
   // Evidence of this frame alone, then of the running mean (eq. 8).
   vec4 then = textureLod(change_image, inside_px * k.frame.history_texel_uv, 0.0);
   float known = on_screen && pooled.count > 0.5 ? 1.0 : 0.0;
+  float square = pooled.mean * pooled.mean;
   float spatial = (pooled.variance + kSmallestSquare) / kChangeCount;
-  float noise = then.z > 0.0 ? max(then.z, k.x0 * spatial) : max(spatial, pooled.mean * pooled.mean);
-  float now = known * believedShare(pooled.mean * pooled.mean, noise, k.doubt_now);
+  float noise = then.z > 0.0 ? max(then.z, kSpatialShare * spatial) : max(spatial, square);
+  float patience = still ? kPatience : 1.0;
+  float now = known * believedShare(square, noise, k.doubt_now * patience);
   float weight = max(kChangeMemory, now);
   float change = known * mix(then.x, pooled.mean, weight);
-  float step = pooled.mean - then.y;
   float believed = known * believedShare(change * change, noise * exponentialMeanVariance(weight),
-                                         k.doubt_mean);
-  float next_noise = mix(noise, 0.5 * step * step, k.x2);
+                                         k.doubt_mean * patience);
+  float step = pooled.mean - then.y;
+  float next_noise = mix(noise, 0.5 * step * step, kNoiseMemory);
   imageStore(next_change_image, px,
              known * vec4(change * (1.0 - believed), pooled.mean, next_noise, 0.0));
   float changed = max(believed, now);
-  // As a gain where history is as bright as it was foretold.
   gain *= 1.0 + clamp(believed * change, -0.9, 4.0);
-  vec3 offset = vec3(0.0);
 
   // The surface as a plane: how near it was at the pixel, and how that changes over pixels.
   float near = nearness(k.frame, depth_image, surface_px, last_px);
@@ -129,7 +136,7 @@ void main() {
   float limit = still ? k.still_history : k.history;
   vec3 shown = vec3(0.0);
   for (int j = 0; j < 4; ++j) {
-    vec3 followed = max(block.texel[j].rgb * (gain * k.frame.exposure_ratio) + offset, vec3(0.0));
+    vec3 followed = block.texel[j].rgb * (gain * k.frame.exposure_ratio);
     vec3 history = yCoCgFromRgb(min(followed, vec3(kMaxColor)));
     vec3 reach = half_size * m.deviation + boundSlack(history, samples[4]);
     vec3 bounded = clipTowardBoxCentre(m.mean - reach, m.mean + reach, history);

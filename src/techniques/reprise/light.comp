@@ -71,7 +71,7 @@ void main() {
   imageStore(next_light_image, tile,
              vec4(clamp(mean, vec3(-kMaxShift), vec3(kMaxShift)), min(next_noise, kMaxColor)));
   float believed =
-      believedShare(dot(mean, mean), variance + k.x3 * noise + kSmallestSquare, k.doubt_light);
+      believedShare(dot(mean, mean), variance + noise + kSmallestSquare, k.doubt_light);
   vec3 gain = ratio(came, told);
   gain = mix(vec3(1.0), gain, believed);
 
@@ -79,8 +79,8 @@ void main() {
   vec4 c = texelFetch(came_image, tile, 0);
   vec4 t = texelFetch(told_image, tile, 0);
   vec3 rest = c.rgb - t.rgb * gain;
-  float own_noise = t.a * (c.a / kTileCount + k.x3 * t.a * noise);
-  float own = believedShare(dot(rest, rest), own_noise, k.x1);
+  float own_noise = t.a * (c.a / kTileCount + t.a * noise);
+  float own = believedShare(dot(rest, rest), own_noise, k.doubt_light);
   gain = mix(gain, ratio(c.rgb, t.rgb), own);
   imageStore(gain_image, tile, vec4(gain, 1.0));
 }

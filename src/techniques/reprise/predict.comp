@@ -29,8 +29,8 @@ void main() {
   if (any(greaterThan(px, last_px))) return;
 
   // Silhouettes move with what they belong to: the closest surface of the cross. On a slope one
-  // neighbour is as much nearer as the opposite one is farther; there the pixel keeps its own motion, since
-  // a neighbour's would shift history by the same fraction of a pixel in every frame.
+  // neighbour is as much nearer as the opposite one is farther; there the pixel keeps its own
+  // motion, since a neighbour's would shift history by the same fraction of a pixel in every frame.
   float near[5];
   for (int i = 0; i < 5; ++i) near[i] = nearness(k.frame, depth_image, px + kCross[i], last_px);
   int closest = 0;

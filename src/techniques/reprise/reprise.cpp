@@ -68,10 +68,6 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.doubt_light = s.real(kDoubtLight);
   constants.doubt_now = s.real(kDoubtNow);
   constants.doubt_mean = s.real(kDoubtMean);
-  constants.x0 = s.real(kX0);
-  constants.x1 = s.real(kX1);
-  constants.x2 = s.real(kX2);
-  constants.x3 = s.real(kX3);
   return constants;
 }
 

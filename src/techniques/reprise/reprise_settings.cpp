@@ -21,7 +21,8 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "c of the cubic that moves history: 0.5 is Catmull-Rom, more overshoots",
                   "Jimenez 2016"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.06, 0.0001, 1.0, "relative",
-                  "how much farther than a tap the current surface may be", "as taa"),
+                  "how much farther than a tap the current surface's plane may be there",
+                  "experiment: README.md"),
     numberSetting(kBound, "bound", 3.0, 0.0, 1000.0, "standard deviations",
                   "half-size of the bound of history without evidence of change; wider keeps more "
                   "history and more ghosts",
@@ -30,25 +31,21 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "the same with full evidence", "Salvi 2016: 0.75 to 1.25"),
     numberSetting(kBoundStill, "bound_still", 8.0, 0.0, 1000.0, "standard deviations",
                   "the same at rest, without evidence", "as taa"),
-    numberSetting(kForgetClipped, "forget_clipped", 0.75, 0.0, 1.0, "",
+    numberSetting(kForgetClipped, "forget_clipped", 1.0, 0.0, 1.0, "",
                   "how much of its samples a fully clipped texel loses", "experiment: README.md"),
     numberSetting(kForgetChanged, "forget_changed", 1.0, 0.0, 1.0, "",
                   "how much of its samples a texel loses whose change is fully believed",
                   "experiment: README.md"),
-    numberSetting(kDoubtLight, "doubt_light", 2.0, 0.0, 1.0e6, "variances",
-                  "how strong light must change over tens of pixels to be followed at once; 1e6 "
-                  "follows nothing",
-                  "experiment: README.md"),
-    numberSetting(kDoubtNow, "doubt_now", 4.0, 0.0, 1.0e6, "variances",
+    numberSetting(
+        kDoubtLight, "doubt_light", 1.0, 0.0, 1.0e6, "variances",
+        "how strong light must change over tens of pixels to be followed; 1e6 follows nothing",
+        "experiment: README.md"),
+    numberSetting(kDoubtNow, "doubt_now", 3.0, 0.0, 1.0e6, "variances",
                   "how strong the residual of 3x3 must be in one frame to act at once",
                   "experiment: README.md"),
-    numberSetting(kDoubtMean, "doubt_mean", 3.0, 0.0, 1.0e6, "variances",
+    numberSetting(kDoubtMean, "doubt_mean", 2.0, 0.0, 1.0e6, "variances",
                   "how strong the mean residual of the last frames must be to be followed",
                   "experiment: README.md"),
-    numberSetting(kX0, "x0", 0.3, -1e6, 1e6, "", "", "", 0),
-    numberSetting(kX1, "x1", 4.0, -1e6, 1e6, "", "", "", 0),
-    numberSetting(kX2, "x2", 0.2, -1e6, 1e6, "", "", "", 0),
-    numberSetting(kX3, "x3", 0.0, -1e6, 1e6, "", "", "", 0),
 });
 const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
 

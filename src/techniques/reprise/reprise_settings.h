@@ -20,10 +20,6 @@ enum Setting : uint32_t {
   kDoubtLight,
   kDoubtNow,
   kDoubtMean,
-  kX0,
-  kX1,
-  kX2,
-  kX3,
   kSettingCount
 };
 

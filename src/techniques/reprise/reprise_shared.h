@@ -37,14 +37,10 @@ struct RepriseConstants {
   float doubt_light;
   float doubt_now;
   float doubt_mean;
-  float x0;
-  float x1;
-  float x2;
-  float x3;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 96);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 80);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

@@ -25,7 +25,7 @@ namespace {
 struct FilterFlags {
   std::filesystem::path capture;
   std::filesystem::path directory;
-  std::string technique = "taa";
+  std::string technique = "reprise";
   std::string layout = "auto";
   uint32_t frames = 0;  // 0: all
   bool png = false;

@@ -21,7 +21,7 @@ namespace {
 struct RenderFlags {
   std::string scene;
   std::filesystem::path directory;
-  std::string plan = "taa";
+  std::string plan = "reprise";
   SceneFlags scene_flags;
   bool with_reference = false;
   bool png = false;

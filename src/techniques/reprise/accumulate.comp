@@ -45,6 +45,9 @@ const float kSpatialShare = 0.3;
 // At rest nothing is lost by waiting, and history is long enough to be worth it.
 const float kPatience = 4.0;
 
+// Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
+const float kAloneSamples = 1.0;
+
 // Residuals of 3x3, relative to luma, about the prediction after `gain` (eq. 7).
 struct Pooled {
   float mean;
@@ -134,6 +137,16 @@ void main() {
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
   float limit = still ? k.still_history : k.history;
+  // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
+  // both sides of a branch for every pixel.
+  float held = 0.25 * (block.texel[0].a + block.texel[1].a + block.texel[2].a + block.texel[3].a);
+  float alone = clamp(1.0 - held / kAloneSamples, 0.0, 1.0);
+  for (int fresh = alone > 0.0 ? 0 : 1; fresh < 1; ++fresh) {
+    float luma[9];
+    for (int i = 0; i < 9; ++i) luma[i] = samples[i].x;
+    vec3 smoothed = rgbFromYCoCg(smoothedAlongEdge(samples, luma, samples[4]));
+    current = mix(current, max(smoothed, vec3(0.0)), alone);
+  }
   vec3 shown = vec3(0.0);
   for (int j = 0; j < 4; ++j) {
     vec3 followed = block.texel[j].rgb * (gain * k.frame.exposure_ratio);

@@ -64,31 +64,10 @@ vec3 rectified(vec3 history, vec3 current, vec3 s[9], float gamma, float widen) 
   return clampToBox(low, high, history);
 }
 
-// Antialiases along an edge of the current frame: a Gaussian that is short across the edge (along
-// the gradient) and long along it. Where there is no edge the sample stays.
 vec3 smoothedAlongEdge(vec3 s[9], vec3 current) {
   float l[9];
   for (int i = 0; i < 9; ++i) l[i] = workingLuma(s[i]);
-  // Sobel gradient of luma, per 8 px.
-  vec2 gradient = vec2((l[2] + 2.0 * l[5] + l[8]) - (l[0] + 2.0 * l[3] + l[6]),
-                       (l[6] + 2.0 * l[7] + l[8]) - (l[0] + 2.0 * l[1] + l[2]));
-  float steepness = length(gradient);
-  vec2 across = gradient / max(steepness, 1.0e-6);
-  // Squared standard deviations in px^2: a third of a pixel across, one pixel along.
-  const float kAcross = 0.11;
-  const float kAlong = 1.0;
-  vec3 sum = vec3(0.0);
-  float weight_sum = 0.0;
-  for (int i = 0; i < 9; ++i) {
-    vec2 offset_px = vec2(float(i % 3) - 1.0, float(i / 3) - 1.0);
-    float a = dot(offset_px, across);
-    float weight = exp(-0.5 * (a * a / kAcross + (dot(offset_px, offset_px) - a * a) / kAlong));
-    sum += weight * s[i];
-    weight_sum += weight;
-  }
-  // FXAA 3.11's default contrast threshold, 1/8 of full scale, as a ramp: Sobel sums 4 differences.
-  float edge = clamp((steepness * 0.25 - 0.0625) * 16.0, 0.0, 1.0);
-  return mix(current, sum / weight_sum, edge);
+  return smoothedAlongEdge(s, l, current);
 }
 
 #endif

@@ -36,7 +36,7 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_option("--spp", samples_a_pixel,
                   "scenes: samples a pixel about the jitter, each with visibility and shading; the "
                   "technique gets their mean")
-      ->check(CLI::IsMember({1u, 4u}))
+      ->check(CLI::IsMember({1u, 2u, 4u}))
       ->capture_default_str();
   if (!with_reference) return;
   verb.add_option("--samples", reference_samples, "reference samples a pixel, even")

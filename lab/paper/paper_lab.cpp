@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <numeric>
 
@@ -12,6 +13,7 @@
 #include "lab/capture/output_file.h"
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/psnr.h"
+#include "lab/metrics/sequence_truth.h"
 #include "lab/render/reference_file.h"
 #include "lab/report/page_parts.h"
 #include "lab/run/interrupt.h"
@@ -26,14 +28,27 @@ constexpr double kFrameRate = 60.0;
 // fourth frame, and the blur bound of amortized supersampling keeps about four writes.
 constexpr uint32_t kSettled = 16;
 
+constexpr std::array<std::pair<const char*, double OverTime::*>, 4> kOverTime = {{
+    {"tpsnr_db", &OverTime::tpsnr_db},
+    {"flicker", &OverTime::flicker},
+    {"disoccluded_db", &OverTime::disoccluded_db},
+    {"sharpness", &OverTime::sharpness},
+}};
+
 bool isStill(const std::string& run) {
   const size_t slash = run.find('/');
   return slash != std::string::npos && run.compare(slash + 1, 5, "still") == 0;
 }
 
 std::string nameOf(const PaperView& view) {
-  return std::string(view.judged == Judged::kCentre ? "centre" : "pixel") +
-         (view.defer_lights ? ", lights deferred" : "");
+  std::string name = view.judged == Judged::kCentre ? "centre" : "pixel";
+  if (view.defer_lights) name += ", lights deferred";
+  if (view.reference_filter == ReferenceFilter::kBox) name += ", box";
+  if (view.over_time) name += ", over time";
+  if (view.texture_filter == TextureFilter::kTrilinear) name += ", trilinear";
+  if (view.texture_filter == TextureFilter::kNone) name += ", no mip levels";
+  if (view.samples > 1) name += fmt::format(", {} samples a pixel", view.samples);
+  return name;
 }
 
 double sumOfMedians(const PassTimes& times, size_t first) {
@@ -46,6 +61,38 @@ bool keepsHistory(const TechniqueChoice& choice) {
   return (choice.library->flags & REPRISE_TECHNIQUE_USES_HISTORY) != 0;
 }
 
+// A figure that was not measured is null.
+OrderedJson overTimeJson(const OverTime& o) {
+  OrderedJson json = {{"ages", o.ages}, {"age_psnr_db", o.age_psnr_db}};
+  for (const auto& [name, member] : kOverTime) json[name] = o.*member;
+  return json;
+}
+
+OverTime overTimeFrom(const OrderedJson& json) {
+  OverTime o;
+  o.ages = json.at("ages").get<std::vector<double>>();
+  o.age_psnr_db = json.at("age_psnr_db").get<std::vector<double>>();
+  for (const auto& [name, member] : kOverTime) {
+    if (!json.at(name).is_null()) o.*member = json.at(name);
+  }
+  return o;
+}
+
+OverTime overTime(const SequenceFigures& figures) {
+  OverTime o;
+  if (figures.mean.has_value()) {
+    o.tpsnr_db = figures.mean->tpsnr;
+    o.flicker = figures.mean->flicker;
+    o.disoccluded_db = figures.mean->disoccluded;
+    o.sharpness = figures.mean->sharpness;
+  }
+  for (const AgeFigures& age : figures.ages) {
+    o.ages.push_back(age.age);
+    o.age_psnr_db.push_back(age.psnr);
+  }
+  return o;
+}
+
 // A measurement on disk: figures in JSON, the last image in EXR beside it.
 OrderedJson measuredJson(const std::string& key, const Measured& measured) {
   return {{"key", key},
@@ -54,7 +101,8 @@ OrderedJson measuredJson(const std::string& key, const Measured& measured) {
           {"evaluations_per_pixel", measured.evaluations_per_pixel},
           {"render_ms", measured.render_ms},
           {"shade_ms", measured.shade_ms},
-          {"resolve_ms", measured.resolve_ms}};
+          {"resolve_ms", measured.resolve_ms},
+          {"over_time", overTimeJson(measured.over_time)}};
 }
 
 ExrImage exrOf(const FloatImage& rgb) {
@@ -90,6 +138,7 @@ std::optional<Measured> readMeasured(const std::filesystem::path& stem, const st
     measured.render_ms = json.at("render_ms");
     measured.shade_ms = json.at("shade_ms");
     measured.resolve_ms = json.at("resolve_ms");
+    measured.over_time = overTimeFrom(json.at("over_time"));
     measured.last = rgbOf(readExr(stem.string() + ".exr"));
     return measured;
   } catch (const CaptureError&) {
@@ -128,21 +177,29 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
   options.switches.shading_only = view.judged == Judged::kCentre;
   options.switches.defer_lights = view.defer_lights;
   options.reference.samples = still ? scale.still_samples : scale.samples;
-  options.reference.filter = ReferenceFilter::kGaussian;
+  options.switches.texture_filter = view.texture_filter;
+  options.switches.samples = view.samples;
+  options.reference.filter = view.reference_filter;
   options.reference.coverage =
       view.judged == Judged::kCentre ? ReferenceCoverage::kCentre : ReferenceCoverage::kPixel;
   options.reference.cache = cache;
   source_ = std::make_unique<SceneSource>(*device_, parseSceneRun(run), options);
   frames_ = options.frames;
   // From the last one back, so that the longest history is judged.
-  const uint32_t step = std::max(scale.judge_every, 1u);
+  const uint32_t step = view.over_time ? 1 : std::max(scale.judge_every, 1u);
   for (uint32_t frame = (frames_ - 1) % step; frame < frames_; frame += step) {
     judged_frames_.push_back(frame);
   }
+  AgeTracker ages;
+  truth_.frame_rate = kFrameRate;
   Progress progress(fmt::format("reference of {} ({})", run, nameOf(view)), judged_frames_.size(),
                     quiet);
   for (const uint32_t frame : judged_frames_) {
     addReference(frame);
+    if (view.over_time) {
+      truth_.frames.push_back(frameTruth(linear_references_[reference_of_frame_.at(frame)],
+                                         source_->geometry(frame), ages));
+    }
     progress.step();
   }
 }
@@ -156,7 +213,8 @@ void PaperScene::addReference(uint32_t frame) {
   const auto [known, fresh] =
       reference_of_.try_emplace(hashBytes(content.data(), content.size()), references_.size());
   if (fresh) {
-    references_.push_back(displayImage(*source_->reference(frame)));
+    linear_references_.push_back(*source_->reference(frame));
+    references_.push_back(displayImage(linear_references_.back()));
     // Each half has twice the variance of the whole, and their difference four times.
     noise_.push_back(0.25 * std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
   }
@@ -245,6 +303,7 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
   PaperScene& open = scene(run, view);
   Measured measured;
   FloatImage last;
+  std::vector<FloatImage> images;
   const SequenceRun sequence = filter(
       run, technique,
       [&](const FrameDone& done) {
@@ -252,6 +311,7 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
         measured.frames.push_back(done.index);
         measured.psnr_db.push_back(open.psnr(done.index, done.image));
         last = done.image;
+        if (view.over_time) images.push_back(done.image);
       },
       view);
   // Times settle at once: the first frame builds caches, no more.
@@ -265,6 +325,11 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
     if (!geometry) measured.shade_ms += ms;
   }
   measured.last = displayImage(last);
+  if (view.over_time) {
+    MeterOptions options;
+    options.metrics = MetricSet::parse("tpsnr,flicker,disocclusion,sharpness");
+    measured.over_time = overTime(measureSequence(open.truth(), images, options));
+  }
   makeOutputDirectory(runs);
   writeExr(stem.string() + ".exr", exrOf(measured.last));
   writeOutputFile(stem.string() + ".json", measuredJson(wanted, measured).dump(1) + "\n");

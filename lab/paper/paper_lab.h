@@ -14,6 +14,7 @@
 #include <vector>
 
 #include "lab/float_image.h"
+#include "lab/metrics/sequence_meter.h"
 #include "lab/render/scene_source.h"
 #include "lab/run/sequence_run.h"
 #include "lab/vk/device.h"
@@ -37,8 +38,21 @@ enum class Judged { kCentre, kPixel };
 
 struct PaperView {
   Judged judged = Judged::kCentre;
+  ReferenceFilter reference_filter = ReferenceFilter::kGaussian;
+  // Every frame is judged, and what only a sequence shows is measured too: Measured::over_time.
+  bool over_time = false;
+  TextureFilter texture_filter = TextureFilter::kAniso16;
+  uint32_t samples = 1;  // a pixel: RenderSwitches::samples
   // RenderSwitches::defer_lights: the deferred layer of light is kept from the technique.
   bool defer_lights = false;
+};
+
+struct OverTime {
+  double tpsnr_db = kNoFigure;  // MeanFigures, of the frames that count
+  double flicker = kNoFigure;
+  double disoccluded_db = kNoFigure;
+  double sharpness = kNoFigure;
+  std::vector<double> ages, age_psnr_db;  // AgeFigures
 };
 
 struct Measured {
@@ -49,6 +63,7 @@ struct Measured {
   double shade_ms = 0.0;    // of it, shading without geometry
   double resolve_ms = 0.0;  // likewise
   FloatImage last;          // display values of the last frame
+  OverTime over_time;       // with PaperView::over_time
 
   double frameMs() const { return render_ms + resolve_ms; }
   // Where the shader dominates, geometry is nothing.
@@ -66,6 +81,8 @@ class PaperScene {
   Device& device() { return *device_; }
   SceneSource& source() { return *source_; }
   uint32_t frames() const { return frames_; }
+  // With PaperView::over_time: of all frames.
+  const SequenceTruth& truth() const { return truth_; }
   // Every judge_every-th, the last among them.
   const std::vector<uint32_t>& judgedFrames() const { return judged_frames_; }
   bool isJudged(uint32_t frame) const {
@@ -85,6 +102,8 @@ class PaperScene {
  private:
   std::unique_ptr<Device> device_;
   std::unique_ptr<SceneSource> source_;
+  SequenceTruth truth_;
+  std::vector<FloatImage> linear_references_;
   std::vector<FloatImage> references_;
   std::vector<double> noise_;                // mean squared error of each reference
   std::map<uint64_t, size_t> reference_of_;  // by a hash of what the frame shows

@@ -6,10 +6,12 @@
 namespace reprise::lab {
 
 Paper amortizedPaper();
+Paper phlmPaper();
 
 const std::vector<Paper>& paperList() {
   static const std::vector<Paper> list = {
       amortizedPaper(),
+      phlmPaper(),
   };
   return list;
 }

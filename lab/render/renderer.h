@@ -27,7 +27,7 @@ struct RenderSwitches {
   float mip_bias = 0.0f;           // levels, added to the plan's
   bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
   TextureFilter texture_filter = TextureFilter::kAniso16;
-  uint32_t samples = 1;  // a pixel, each with its own visibility and shading: 1 or 4
+  uint32_t samples = 1;  // a pixel, each with its own visibility and shading: 1, 2 or 4
   // Visibility stays at the pixel centre; only the shading position follows jitter and grid, on the
   // triangle seen there: shading is antialiased, silhouettes are not (as in Yang et al. 2009).
   bool shading_only = false;

@@ -125,12 +125,15 @@ SceneBuffers::SceneBuffers(Device& device, const Scene& scene, TextureFilter fil
   std::memset(counter_.mapped(), 0, counter_.bytes());
 }
 
-Ball SceneBuffers::bounds() const {
+Ball SceneBuffers::casterBounds() const {
   const auto* transforms = static_cast<const glm::mat4*>(transforms_.mapped());
   const auto* frame = static_cast<const GpuFrame*>(frame_.mapped());
   glm::vec3 low(1.0e30f);
   glm::vec3 high(-1.0e30f);
+  bool any = false;
   for (uint32_t i = 0; i < instance_count_; ++i) {
+    if (scene_.geometry().instances[i].casts_shadow == 0) continue;
+    any = true;
     const Ball& ball = instance_bounds_[i];
     const float scale = std::max({glm::length(glm::vec3(transforms[i][0])),
                                   glm::length(glm::vec3(transforms[i][1])),
@@ -139,7 +142,7 @@ Ball SceneBuffers::bounds() const {
     low = glm::min(low, center - ball.radius_m * scale);
     high = glm::max(high, center + ball.radius_m * scale);
   }
-  if (instance_count_ == 0) return {};
+  if (!any) return {};
   const float reach = wind_reach_m_ * glm::length(glm::vec3(frame->wind[0]));
   return {0.5f * (low + high), 0.5f * glm::length(high - low) + reach};
 }

@@ -35,8 +35,8 @@ class SceneBuffers {
   // Instances without and with holes, to be drawn in this order.
   const std::vector<uint32_t>& opaque() const { return opaque_; }
   const std::vector<uint32_t>& tested() const { return tested_; }
-  // Around everything in the current frame, wherever the wind takes it.
-  Ball bounds() const;
+  // Around everything in the current frame that casts a shadow, wherever the wind takes it.
+  Ball casterBounds() const;
 
   // Of the transform pass.
   static std::vector<VkDescriptorType> transformTypes();
@@ -47,9 +47,11 @@ class SceneBuffers {
   std::vector<Bound> rasterBindings() const;
   static std::vector<VkDescriptorType> testedTypes();
   std::vector<Bound> testedBindings() const;
-  // `biased`: holes are looked up with the frame's mip bias.
-  std::vector<uint32_t> rasterSpecialization(bool biased) const {
-    return {0, 0, 0, textures_.classCount(), 0, textures_.anisotropy(), biased ? 1u : 0u};
+  // For the camera, holes are looked up as colours are, with the frame's mip bias. For the sun one
+  // lookup does, whose texels no one sees: up to sixteen were most of its pass.
+  std::vector<uint32_t> rasterSpecialization(bool camera) const {
+    return {
+        0, 0, 0, textures_.classCount(), 0, camera ? textures_.anisotropy() : 1, camera ? 1u : 0u};
   }
   // 0 to 3, of every compute pass that looks at surfaces.
   static std::vector<VkDescriptorType> surfaceTypes();

@@ -13,9 +13,15 @@
 namespace reprise::lab {
 namespace {
 
-// Positions of a frame's samples, as jitters: `samples` (1 or 4, Vulkan's standard positions) about
-// the plan's jitter, or, with a grid of n x n, about the centre of each of its cells, n times
-// closer together.
+// Vulkan's standard positions, from the pixel's centre.
+eq::vec2 standardOffset(uint32_t samples, uint32_t i) {
+  if (samples == 4) return eq::rotatedGridOffset(i);
+  const float diagonal = i == 0 ? 0.25f : -0.25f;
+  return samples == 2 ? eq::vec2(diagonal, diagonal) : eq::vec2(0.0f, 0.0f);
+}
+
+// Positions of a frame's samples, as jitters: `samples` (1, 2 or 4) about the plan's jitter, or,
+// with a grid of n x n, about the centre of each of its cells, n times closer together.
 std::vector<eq::vec2> sampleJitters(eq::vec2 jitter_px, uint32_t n, uint32_t samples) {
   std::vector<eq::vec2> jitters_px;
   const float cells = static_cast<float>(n);
@@ -25,7 +31,7 @@ std::vector<eq::vec2> sampleJitters(eq::vec2 jitter_px, uint32_t n, uint32_t sam
                                      : eq::vec2(0.5f - (static_cast<float>(x) + 0.5f) / cells,
                                                 0.5f - (static_cast<float>(y) + 0.5f) / cells);
       for (uint32_t i = 0; i < samples; ++i) {
-        const eq::vec2 offset = samples == 1 ? eq::vec2(0.0f, 0.0f) : eq::rotatedGridOffset(i);
+        const eq::vec2 offset = standardOffset(samples, i);
         jitters_px.emplace_back(center.x - offset.x / cells, center.y - offset.y / cells);
       }
     }
@@ -62,8 +68,9 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
       options_(options),
       renderer_(device, run, options.extent, options.frame_rate, options.switches),
       references_(device, renderer_, options.reference) {
-  if (options.switches.samples != 1 && options.switches.samples != 4) {
-    throw std::invalid_argument("samples a pixel must be 1 or 4");
+  const uint32_t samples = options.switches.samples;
+  if (samples != 1 && samples != 2 && samples != 4) {
+    throw std::invalid_argument("samples a pixel must be 1, 2 or 4");
   }
   info_ = {.name = run.name,
            .extent = options.extent,

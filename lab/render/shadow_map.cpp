@@ -98,7 +98,7 @@ void ShadowMap::setFrame(GpuFrame& frame, const SceneLights& lights,
   if (!on_) return;
   const auto sun = std::find_if(lights.lights.begin(), lights.lights.end(), castsShadow);
   if (sun == lights.lights.end()) return;
-  const Ball casters = buffers_.bounds();
+  const Ball casters = buffers_.casterBounds();
   Ball receivers = casters;
   if (lights.shadow_radius_m > 0.0f) {
     receivers.radius_m = lights.shadow_radius_m;
@@ -120,6 +120,7 @@ void ShadowMap::record(VkCommandBuffer commands) const {
     if (which.empty()) return;
     program.bind(commands);
     for (const uint32_t i : which) {
+      if (instances[i].casts_shadow == 0) continue;
       program.push(commands, bound, VisibilityConstants{{0.0f, 0.0f}, i, instances[i].material});
       vkCmdDraw(commands, instances[i].index_count, 1, instances[i].first_index, 0);
     }

@@ -23,9 +23,9 @@ layout(constant_id = 5) const uint kAnisotropy = 16u;
 
 #define REPRISE_LAB_EXTENT(layers) vec2(textureSize(sampler2DArray(layers, texture_sampler), 0).xy)
 #define REPRISE_LAB_LOOK_UP(layers) \
-  textureGrad(sampler2DArray(layers, texture_sampler), place, uv_dx, uv_dy)
+  textureLod(sampler2DArray(layers, texture_sampler), place, level)
 
-vec4 lookUp(uint name, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
+vec4 lookUp(uint name, vec2 uv, float level) {
   vec3 place = vec3(uv, float(name & 0xffffu));
   uint array = name >> 16u;  // + 1
   if (kTextureClasses > 0u && array == 1u) return REPRISE_LAB_LOOK_UP(textures_0);
@@ -53,7 +53,8 @@ vec2 textureExtent(uint name) {
 }
 
 // Colour of a material's texture (GpuMaterial) by the gradients of uv a pixel; white where it is 0.
-// Gradients carry the mip bias: level + b is gradient * 2^b.
+// Gradients carry the mip bias: level + b is gradient * 2^b. The level is one number a call: with
+// gradients a lookup, the sampler would find it anew each time.
 //
 // Anisotropy is filtered here, as EXT_texture_filter_anisotropic describes it, and not by the
 // sampler: N = ceil(min(P_max / P_min, kAnisotropy)) trilinear lookups along the longer gradient,
@@ -61,21 +62,22 @@ vec2 textureExtent(uint name) {
 // lavapipe 22.3's own anisotropy a frame of `foliage` did not end in 100 s; why was not found out.
 vec4 sampleTexture(uint name, vec2 uv, vec2 uv_dx, vec2 uv_dy) {
   if (name == 0u) return vec4(1.0);
-  if (kAnisotropy <= 1u) return lookUp(name, uv, uv_dx, uv_dy);
   vec2 extent = textureExtent(name);
   float texels_x = length(uv_dx * extent);
   float texels_y = length(uv_dy * extent);
-  vec2 longer = texels_x > texels_y ? uv_dx : uv_dy;
   float most = max(texels_x, texels_y);
   float ratio = most / max(min(texels_x, texels_y), 1.0);
   // Also where it is not a number.
-  if (!(ratio > 1.0 && most < 1.0e6)) return lookUp(name, uv, uv_dx, uv_dy);
+  if (kAnisotropy <= 1u || !(ratio > 1.0 && most < 1.0e6)) {
+    return lookUp(name, uv, log2(most));
+  }
   uint count = uint(ceil(min(ratio, float(kAnisotropy))));
-  vec2 step_uv = longer / float(count);
+  vec2 step_uv = (texels_x > texels_y ? uv_dx : uv_dy) / float(count);
+  float level = log2(most / float(count));
   vec4 sum = vec4(0.0);
   for (uint i = 0u; i < count; ++i) {
     float along = float(i) + 0.5 - 0.5 * float(count);
-    sum += lookUp(name, uv + step_uv * along, step_uv, step_uv);
+    sum += lookUp(name, uv + step_uv * along, level);
   }
   return sum / float(count);
 }

@@ -3,8 +3,11 @@
 // A clearing in the wind: thousands of alpha-tested leaves, twigs thinner than a pixel, grass,
 // textured ground, a sun with shadows. After the open world of Iglesias-Guitian et al. 2016. The
 // plants are in plants/, their shading in shading/leaf.glsl and shading/textured.glsl.
+#include <algorithm>
 #include <cmath>
+#include <vector>
 
+#include "lab/scene/plants/backdrop.h"
 #include "lab/scene/plants/plant.h"
 #include "lab/scene/plants/plant_images.h"
 #include "lab/scene/scene.h"
@@ -35,6 +38,18 @@ float pathX(float z) {
   return 0.9f * std::sin(0.35f * z);
 }
 
+// Neighbours on the ground become neighbours in the mesh, so that what is out of sight can be left
+// out by runs of triangles.
+std::vector<glm::vec2> inRows(std::vector<glm::vec2> feet) {
+  constexpr float kRow_m = 2.0f;
+  std::sort(feet.begin(), feet.end(), [](glm::vec2 a, glm::vec2 b) {
+    const float row_a = std::floor(a.y / kRow_m);
+    const float row_b = std::floor(b.y / kRow_m);
+    return row_a != row_b ? row_a < row_b : a.x < b.x;
+  });
+  return feet;
+}
+
 class Foliage final : public Scene {
  public:
   Foliage() {
@@ -62,6 +77,7 @@ class Foliage final : public Scene {
     addGround();
     addTrees();
     addGrass();
+    addDistance();
   }
 
   const Geometry& geometry() const override { return geometry_; }
@@ -113,12 +129,15 @@ class Foliage final : public Scene {
     Dice dice(2016);
     SwayingMesh wood;
     SwayingMesh leaves;
-    const auto plant = [&](float x, float z, const TreeShape& shape) {
-      const Tree tree = growTree(onGround(x, z), shape, dice);
+    const auto plantBy = [&](Dice& by, float x, float z, const TreeShape& shape) {
+      const Tree tree = growTree(onGround(x, z), shape, by);
       for (auto [to, from] : {std::pair{&wood, &tree.wood}, {&leaves, &tree.leaves}}) {
         append(to->mesh, from->mesh);
         to->sways.insert(to->sways.end(), from->sways.begin(), from->sways.end());
       }
+    };
+    const auto plant = [&](float x, float z, const TreeShape& shape) {
+      plantBy(dice, x, z, shape);
     };
     for (const glm::vec2 at : {glm::vec2(-2.6f, 1.2f),
                                {2.9f, -0.4f},
@@ -154,6 +173,17 @@ class Foliage final : public Scene {
              .leaves_a_twig = 15,
              .leaf_m = 0.28f});
     }
+    // To the right, where the path bends towards.
+    Dice right(2017);
+    for (int i = 0; i < 12; ++i) {
+      const float x = right.between(8.0f, 20.0f);
+      plantBy(right, x, right.between(-22.0f, 0.0f),
+              {.height_m = right.between(3.5f, 7.0f),
+               .limbs = 10,
+               .twigs_a_limb = 3,
+               .leaves_a_twig = 15,
+               .leaf_m = 0.24f});
+    }
     addInstance(geometry_, wood, bark_);
     addInstance(geometry_, leaves, leaf_);
   }
@@ -162,23 +192,59 @@ class Foliage final : public Scene {
     Dice dice(55);
     SwayingMesh tufts;
     SwayingMesh blades;
+    std::vector<glm::vec2> feet;
     for (int i = 0; i < 3400; ++i) {
       const float z = dice.between(-22.0f, 6.5f);
       const float off = dice.between(-9.0f, 9.0f);
       // The path is trodden.
-      if (std::abs(off) < 0.45f + 0.25f * dice.unit()) continue;
-      appendTuft(tufts, onGround(pathX(z) + off, z), dice.between(0.16f, 0.42f),
+      if (std::abs(off) >= 0.45f + 0.25f * dice.unit()) feet.emplace_back(pathX(z) + off, z);
+    }
+    // The open ground to the right.
+    for (int i = 0; i < 1000; ++i) {
+      const float x = dice.between(8.5f, 24.0f);
+      feet.emplace_back(x, dice.between(-24.0f, 2.0f));
+    }
+    for (const glm::vec2 foot : inRows(feet)) {
+      appendTuft(tufts, onGround(foot.x, foot.y), dice.between(0.16f, 0.42f),
                  dice.between(0.22f, 0.40f), kWindDirection, dice);
     }
+    feet.clear();
     for (int i = 0; i < 2600; ++i) {
       const float z = dice.between(-12.0f, 6.0f);
       const float off = dice.between(-4.0f, 4.0f);
-      if (std::abs(off) < 0.35f) continue;
-      appendBlade(blades, onGround(pathX(z) + off, z), dice.between(0.15f, 0.65f), 0.007f,
+      if (std::abs(off) >= 0.35f) feet.emplace_back(pathX(z) + off, z);
+    }
+    for (const glm::vec2 foot : inRows(feet)) {
+      appendBlade(blades, onGround(foot.x, foot.y), dice.between(0.15f, 0.65f), 0.007f,
                   kWindDirection, dice);
     }
     addInstance(geometry_, blades, blade_);
     addInstance(geometry_, tufts, tuft_);
+  }
+
+  void addDistance() {
+    Geometry& g = geometry_;
+    const auto far = [&](const Mesh& mesh, const GpuMaterial& material) {
+      g.materials.push_back(material);
+      addInstance(g, mesh, static_cast<uint32_t>(g.materials.size() - 1));
+      g.instances.back().casts_shadow = 0;
+    };
+    // The air before them: the farther, the less colour and the more of the sky's light.
+    const auto hazy = [](float share, uint32_t color, float cutoff) {
+      return GpuMaterial{.parameters = glm::vec4(glm::vec3(1.0f - share), 1.0f),
+                         .emission = glm::vec4(share * glm::vec3(0.30f, 0.36f, 0.42f), 0.0f),
+                         .kind = kMaterialTextured,
+                         .color_texture = color,
+                         .alpha_cutoff = cutoff};
+    };
+    const uint32_t trees = addImage(g, treeLineImage(kAlphaCutoff));
+    far(hillsMesh(37.0f, 170.0f), hazy(0.45f, addImage(g, canopyImage()), 0.0f));
+    far(skyMesh(400.0f), {.parameters = {0.0f, 0.0f, 0.0f, 1.0f},
+                          .emission = {1.0f, 1.0f, 1.0f, 0.0f},
+                          .kind = kMaterialTextured,
+                          .emission_texture = addImage(g, skyImage())});
+    far(treeLineMesh(36.0f, 7.5f, 32, 0.0f), hazy(0.18f, trees, kAlphaCutoff));
+    far(treeLineMesh(58.0f, 11.0f, 44, 0.37f), hazy(0.30f, trees, kAlphaCutoff));
   }
 
   Geometry geometry_;

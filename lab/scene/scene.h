@@ -24,6 +24,7 @@ struct Instance {
   uint32_t first_index = 0;
   uint32_t index_count = 0;
   uint32_t material = 0;
+  uint32_t casts_shadow = 1;  // 0: the sun's map leaves it out
 };
 
 enum class ImageRole {

@@ -201,4 +201,65 @@ SceneImage soilNormalImage() {
   return normalsOf(512, 2.5f, soilHeight);
 }
 
+SceneImage canopyImage() {
+  return drawn(256, 256, ImageRole::kColor, [](glm::vec2 uv) {
+    const float crown = noise(uv, 48, 81u);
+    const glm::vec3 color = glm::mix(glm::vec3(0.20f, 0.27f, 0.13f), glm::vec3(0.42f, 0.47f, 0.21f),
+                                     0.6f * crown + 0.4f * cloudy(uv, 6, 82u));
+    return glm::vec4(color * (0.6f + 0.5f * noise(uv, 128, 83u)), 1.0f);
+  });
+}
+
+SceneImage treeLineImage(float alpha_cutoff) {
+  struct Crown {
+    float x, top, half_width, tone;
+  };
+  std::vector<Crown> crowns;
+  constexpr int kTrees = 14;
+  for (int i = 0; i < kTrees; ++i) {
+    const float x = (static_cast<float>(i) + 0.2f + 0.6f * lattice(i, 0, 91u)) / kTrees;
+    crowns.push_back({x, 0.55f + 0.42f * lattice(i, 1, 91u), 0.035f + 0.03f * lattice(i, 2, 91u),
+                      lattice(i, 3, 91u)});
+  }
+  SceneImage image = drawn(512, 256, ImageRole::kColor, [&](glm::vec2 uv) {
+    // Undergrowth first, then what stands in it.
+    float inside = 0.10f + 0.14f * cloudy(uv, 12, 92u) - uv.y;
+    glm::vec3 color(0.40f, 0.47f, 0.22f);
+    const float leaves = cloudy(uv, 24, 93u);
+    for (const Crown& crown : crowns) {
+      const float s = uv.y / crown.top;
+      // The picture repeats along u.
+      float off = std::abs(uv.x - crown.x);
+      off = std::min(off, 1.0f - off);
+      const float foot = std::clamp((s - 0.25f) / 0.2f, 0.0f, 1.0f);
+      const float shape = crown.half_width * std::sqrt(std::max(1.0f - s * s * s, 0.0f)) * foot;
+      const float trunk = s < 0.9f ? 0.0035f - off : -1.0f;
+      // Gaps between the leaves, more of them at the rim.
+      const float leafy = shape > 0.0f ? shape * (1.9f * leaves - 0.05f) - off : -1.0f;
+      const float here = std::max(leafy, trunk);
+      if (here <= inside) continue;
+      inside = here;
+      color = leafy > trunk
+                  ? glm::mix(glm::vec3(0.32f, 0.42f, 0.17f), glm::vec3(0.58f, 0.60f, 0.24f),
+                             0.5f * crown.tone + 0.5f * leaves)
+                  : glm::vec3(0.25f, 0.22f, 0.19f);
+    }
+    return glm::vec4(color * (0.75f + 0.5f * noise(uv, 128, 94u)), covered(inside, 0.008f));
+  });
+  image.alpha_cutoff = alpha_cutoff;
+  return image;
+}
+
+SceneImage skyImage() {
+  return drawn(512, 128, ImageRole::kColor, [](glm::vec2 uv) {
+    const glm::vec3 haze(0.86f, 0.87f, 0.87f);
+    const glm::vec3 blue(0.45f, 0.58f, 0.76f);
+    const glm::vec3 clear = glm::mix(haze, blue, std::min(std::sqrt(uv.y) * 1.15f, 1.0f));
+    const float high = std::clamp(4.0f * uv.y, 0.0f, 1.0f);
+    const float cloud = std::clamp(
+        2.4f * (cloudy(glm::vec2(uv.x, 0.35f * std::sqrt(uv.y)), 7, 101u) - 0.5f), 0.0f, 0.8f);
+    return glm::vec4(glm::mix(clear, glm::vec3(0.93f, 0.93f, 0.92f), cloud * high), 1.0f);
+  });
+}
+
 }  // namespace reprise::lab

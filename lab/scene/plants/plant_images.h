@@ -17,5 +17,11 @@ SceneImage barkImage();
 SceneImage barkNormalImage();
 SceneImage soilImage();
 SceneImage soilNormalImage();
+// Crowns of a wood seen from far above.
+SceneImage canopyImage();
+// A row of trees seen from far away, holes between and in their crowns, feet at v = 0.
+SceneImage treeLineImage(float alpha_cutoff);
+// Haze at v = 0, thin clouds above; what it shows is light.
+SceneImage skyImage();
 
 }  // namespace reprise::lab

@@ -88,7 +88,10 @@ struct Filtered {
 // there (`old_feature`), or about 0.
 Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, vec3 old_feature,
                        vec3 feature, Origin origin) {
-  vec3 y = weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8.x);
+  // At rest jitter does what the input's filter does in motion, and ends exact.
+  vec3 y = origin.still
+               ? s[4]
+               : weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8.x);
   // About the feature x = (1, 0), about zero x = (1, z). At rest the model stays where it was: a
   // feature that still settles would add the slopes' variance to the mean's.
   vec3 z = kAboutZero ? (origin.still ? old_feature : feature) : vec3(0.0);
@@ -125,11 +128,14 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
   result.color = prediction;
   if (!isUpdated(px, k.frame.frame_number)) return result;
   if (origin.still) {
-    // Only the intercept learns, and forgets nothing: the running mean (eq. 7).
+    // Only the intercept learns, and forgets nothing: the running mean (eq. 7), of light whatever
+    // the models are of: a mean of compressed colours is too dark for ever.
     LinearModel here = kAboutZero ? restingModel(model, z, k.spread_variance) : model;
     here.cross = vec3(0.0);
     here.level = max(here.level, k.still_variance);
-    here = updatedModel(here, vec3(0.0), y - here.intercept, 1.0);
+    here.intercept = fromWorking(here.intercept);
+    here = updatedModel(here, vec3(0.0), fromWorking(y) - here.intercept, 1.0);
+    here.intercept = toWorking(here.intercept);
     result.color = here.intercept;
     result.model = here;
     return result;

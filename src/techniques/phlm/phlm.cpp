@@ -207,7 +207,7 @@ const RepriseTechniqueInfo kInfo = {
     .settings = kSettings.data(),
     .setting_count = kSettingCount,
     .presets = kPresets,
-    .preset_count = 1,
+    .preset_count = 2,
 };
 
 }  // namespace

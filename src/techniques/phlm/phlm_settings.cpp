@@ -33,14 +33,14 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "how a model is kept: 16 + 12 floats about feature 0 (112 bytes a pixel); the 22 "
                   "distinct numbers about the pixel's own feature, as floats (88) or halves (44 to "
                   "48); or 256 bits (32)",
-                  "Iglesias-Guitian et al. 2016: paper; experiment: README.md, storage"),
+                  "Iglesias-Guitian et al. 2016: paper; experiment: effects.md, storage"),
     choiceSetting(kJitter, "jitter", 2, kJitterNames,
                   "when samples move about the pixel: never, in every frame, or only while the "
                   "camera of the last two frames rests (without cameras: always)",
-                  "Iglesias-Guitian et al. 2016: still; experiment: README.md", 0),
+                  "Iglesias-Guitian et al. 2016: still; experiment: effects.md", 0),
     integerSetting(kJitterLength, "jitter_length", 64, 1, 1024, "frames",
                    "length of the R2 cycle of sample positions over the pixel, centred",
-                   "experiment: README.md"),
+                   "experiment: effects.md"),
     choiceSetting(kInput, "input", 0, kInputNames,
                   "what is filtered: the frame as rendered, or antialiased by FXAA first",
                   "Iglesias-Guitian et al. 2016, section 7.1"),
@@ -49,7 +49,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
         "deviation of a Gaussian that reconstructs the frame at the pixel's centre from the "
         "nine samples around it, by their jittered places, where something moves; 0: the pixel's "
         "own sample",
-        "Karis 2014; experiment: README.md"),
+        "Karis 2014; experiment: effects.md"),
     choiceSetting(kUpdateShare, "update", 0, kUpdateNames,
                   "the share of models that learn from a frame, in turn; the others predict. Fewer "
                   "adapt more slowly",
@@ -57,14 +57,14 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     choiceSetting(kPasses, "passes", 1, kPassesNames,
                   "feature and filter as two passes, as published, or as one that reads the "
                   "neighbourhood once",
-                  "experiment: README.md, time"),
+                  "experiment: effects.md, time"),
     choiceSetting(kSpace, "space", 1, kSpaceNames,
                   "what is modelled in motion: light, or c / (1 + luma), which bounds what one "
                   "bright sample can do and darkens thin highlights",
-                  "Karis 2014; experiment: README.md"),
+                  "Karis 2014; experiment: effects.md"),
     numberSetting(kLambda, "lambda", 0.95, 0.5, 1.0, "",
                   "weight of the past in each frame; lower follows change faster and averages less",
-                  "Iglesias-Guitian et al. 2016: 0.998; experiment: README.md"),
+                  "Iglesias-Guitian et al. 2016: 0.998; experiment: effects.md"),
     numberSetting(kInitialVariance, "initial_variance", 1000.0, 0.01, 1000.0,
                   "variances of a sample",
                   "of a fresh model's colour; the first sample leaves about 1 of it", kPaper),
@@ -72,17 +72,17 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
         kSlopeVariance, "slope_variance", 1000.0, 0.0, 1000.0, "variances of a sample",
         "of a fresh model's slopes: large trusts the feature at once, 0 makes the model a "
         "running mean",
-        "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
+        "Iglesias-Guitian et al. 2016: 1000; experiment: effects.md"),
     numberSetting(kVarianceLimit, "variance_limit", 1000.0, 0.1, 10000.0, "variances of a sample",
                   "no variance winds up beyond this where the feature does not vary", kPaper),
     choiceSetting(
         kClipModel, "clip", 1, kClipNames,
         "a prediction outside the box: the model forgets all but the colour where the ray "
         "meets it, or keeps its slopes and only moves there",
-        "Iglesias-Guitian et al. 2016: reset; experiment: README.md"),
+        "Iglesias-Guitian et al. 2016: reset; experiment: effects.md"),
     numberSetting(kClipVariance, "clip_variance", 0.1, 0.0, 1000.0, "variances of a sample",
                   "of the colour at the box: v weighs the current sample v / (v + 1)",
-                  "Iglesias-Guitian et al. 2016: 1000; experiment: README.md"),
+                  "Iglesias-Guitian et al. 2016: 1000; experiment: effects.md"),
     choiceSetting(kBoxShape, "box", 0, kBoxNames,
                   "bound of believable predictions from the 3x3 neighbourhood: its extremes, the "
                   "mean of its and the cross's, or mean and standard deviations",
@@ -94,35 +94,35 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kBoxStill, "box_still", 4.0, 0.0, 64.0, "",
                   "factor on the box's size where nothing moves; 0: no box there. A tight box ends "
                   "convergence, none lets what only shading moves ghost",
-                  "experiment: README.md"),
+                  "experiment: effects.md"),
     choiceSetting(kBoxHolds, "box_feature", 2, kBoxFeatureNames,
                   "when the box also holds the temporal feature, which has seen lines thinner than "
                   "a pixel where the neighbourhood is flat, and forgets shadows that have gone",
-                  "experiment: README.md"),
+                  "experiment: effects.md"),
     choiceSetting(kModelFilter, "history_filter", 1, kFilterNames,
                   "how the colour of a model is read between pixels; slopes and variances always "
                   "bilinearly. Not for storage=paper and packed",
-                  "Iglesias-Guitian et al. 2016: bilinear; experiment: README.md"),
+                  "Iglesias-Guitian et al. 2016: bilinear; experiment: effects.md"),
     choiceSetting(kDilate, "dilation", 1, kDilationNames,
                   "whose motion a pixel takes: its own, or the closest surface's in the cross",
-                  "Karis 2014; experiment: README.md"),
+                  "Karis 2014; experiment: effects.md"),
     numberSetting(
         kDepthTolerance, "depth_tolerance", 0.0, 0.0, 1.0, "relative",
         "largest difference of depths that still is the same surface; 0: no test, the box "
         "alone decides",
-        "Nehab et al. 2007; experiment: README.md"),
+        "Nehab et al. 2007; experiment: effects.md"),
     numberSetting(kFeatureA, "feature_a", 0.125, 0.0, 16.0, "",
                   "adaptation of the temporal feature at rest", kPaper),
     numberSetting(kFeatureB, "feature_b", 0.25, 0.0, 16.0, "a px a frame",
                   "how much faster it adapts in motion", kPaper),
     numberSetting(kFeatureFloor, "feature_floor", 0.03, 0.0, 1.0, "",
                   "its least adaptation: without one it freezes where it lies on the range's end",
-                  "experiment: README.md"),
+                  "experiment: effects.md"),
     choiceSetting(
         kFeatureWeighs, "feature_weighs", 0, kWeightNames,
         "whether the published alpha weighs the new low-passed colour or the old feature, "
         "which the text leaves open",
-        "experiment: README.md"),
+        "experiment: effects.md"),
     choiceSetting(kFeatureLowPass, "low_pass", 2, kLowPassNames,
                   "the feature's filter in space: none, 1 2 1 or 1 1 1 each way",
                   "Iglesias-Guitian et al. 2016 name none"),

@@ -3,9 +3,9 @@
 
 #include <cmath>
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
+#include "core/centred_jitter.h"
 #include "core/context.h"
 #include "equations/filters.h"
-#include "equations/jitter_sequence.h"
 #include "techniques/reprise/reprise_settings.h"
 #include "techniques/reprise/reprise_shared.h"
 
@@ -74,12 +74,8 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
 class RepriseTechnique final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
-    const auto length = request.settings.choice(kJitterLength);
-    const eq::vec2 sample_px = eq::sequenceOffset(eq::kSequenceR2, request.frame_index, length) -
-                               eq::sequenceMean(eq::kSequenceR2, length);
-    plan.period = length;
-    plan.jitter_px[0] = -sample_px.x;
-    plan.jitter_px[1] = -sample_px.y;
+    planCentredJitter(eq::kSequenceR2, request.frame_index, request.settings.choice(kJitterLength),
+                      plan);
   }
 
   void declare(Declaration& d) override {

@@ -97,11 +97,9 @@ void tableOf(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   const double faster = of_ss4.shadedMs() / of_ours.shadedMs();
   const double one_sample_ms = of_ss4.shade_ms / of_ss4.evaluations_per_pixel;
   const std::string ratio = name + " time of 4x4 over amortized, without geometry";
-  if (one_sample_ms > of_ours.resolve_ms) {
-    outcome.claim(ratio, p.amortized_fps / p.ss4_fps, faster, "times",
-                  fmt::format("at least {}", kTimesFaster), faster >= kTimesFaster);
-  } else {
-    outcome.report(ratio, p.amortized_fps / p.ss4_fps, faster, "times");
+  outcome.claim(ratio, p.amortized_fps / p.ss4_fps, faster, "times",
+                fmt::format("at least {}", kTimesFaster), faster >= kTimesFaster);
+  if (one_sample_ms <= of_ours.resolve_ms) {
     outcome.note(fmt::format(
         "{}: here the shader does not dominate: one evaluation a pixel takes {:.1f} ms, the "
         "resolve {:.1f} ms. Where it does, evaluations decide: {:.1f} times fewer.",

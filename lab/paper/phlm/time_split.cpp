@@ -4,6 +4,8 @@
 // tighter storage of the models is worth.
 #include <fmt/format.h>
 
+#include <algorithm>
+
 #include "lab/paper/phlm/experiments.h"
 #include "lab/paper/phlm/sequences.h"
 #include "lab/run/technique_choice.h"
@@ -70,7 +72,10 @@ void storageOf(PaperLab& lab, const Sequence& sequence, Outcome& outcome) {
                 {"storage", "bytes moved a frame a pixel", "PSNR, dB", "flicker", "resolve, ms"},
                 cells);
   for (const size_t tight : {2u, 3u}) {
-    const double loss_db = forms[0].psnr_db - forms[tight].psnr_db;
+    // The published form is float as the symmetric one is: where one of them falls behind, that is
+    // its fault and no measure for the others.
+    const double float_db = std::max(forms[0].psnr_db, forms[1].psnr_db);
+    const double loss_db = float_db - forms[tight].psnr_db;
     outcome.claim(fmt::format("{}, storage={}: loss", sequence.scene, forms[tight].name),
                   std::nullopt, loss_db, "dB", fmt::format("under {} dB", kMostLoss_db),
                   loss_db < kMostLoss_db);

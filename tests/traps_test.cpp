@@ -156,6 +156,12 @@ TEST(Traps, AnIntegerPanConvergesLikeAStillView) {
   EXPECT_LT(error(technique, 1.0f), 1.5 * error(technique, 0.0f));
   EXPECT_LT(error(technique, 1.0f), 0.5 * error(technique, 0.5f));
   EXPECT_LT(error(technique, 1.0f), 0.1 * error("none", 1.0f));
+  // Half of the pixels a frame: strict alternation would show a point one half for ever.
+  const char* half = "checkerboard:clip=false,alpha=0.06";
+  EXPECT_LT(error(half, 1.0f), 1.5 * error(half, 0.0f));
+  EXPECT_LT(error(half, 1.0f), 0.5 * error(half, 0.5f));
+  EXPECT_LT(error(half, 1.0f),
+            0.8 * error("checkerboard:clip=false,alpha=0.06,halves=alternate", 1.0f));
 }
 
 // Mean PSNR of the 16 frames (one cycle of the jitter) before each of `ends`.

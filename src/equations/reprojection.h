@@ -42,6 +42,15 @@ EQ_FN bool wasVisible(float expected_depth, float history_depth, float tolerance
   return expected_depth <= history_depth * (1.0f + tolerance);
 }
 
+// The same on surfaces seen at a slant, whose depth a history sample has somewhere within a few
+// pixels: in inverse depth, which is linear over a plane's pixels, it may be nearer by
+// `slope_inverse`, the plane's change over that distance.
+EQ_FN bool wasVisibleOnPlane(float expected_depth, float history_depth, float tolerance,
+                             float slope_inverse) {
+  return 1.0f / max(history_depth, 1.0e-12f) <=
+         (1.0f + tolerance) / max(expected_depth, 1.0e-12f) + slope_inverse;
+}
+
 // Nehab et al. 2007: both depths of one surface, up to a relative tolerance of the farther.
 EQ_FN bool depthsAgree(float a, float b, float tolerance) {
   return abs(a - b) <= tolerance * max(a, b);

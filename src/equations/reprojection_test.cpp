@@ -158,6 +158,11 @@ TEST(Reprojection, DepthTests) {
   EXPECT_TRUE(wasVisible(10.0f, 100.0f, 0.02f));
   EXPECT_TRUE(wasVisible(10.15f, 10.0f, 0.02f));
   EXPECT_FALSE(wasVisible(10.25f, 10.0f, 0.02f));
+  // 1/8 against 1/10: a change of 0.025.
+  EXPECT_TRUE(wasVisibleOnPlane(10.15f, 10.0f, 0.02f, 0.0f));
+  EXPECT_FALSE(wasVisibleOnPlane(10.25f, 10.0f, 0.02f, 0.0f));
+  EXPECT_FALSE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.024f));
+  EXPECT_TRUE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.026f));
 }
 
 TEST(Reprojection, ScreenEndsAtTheOuterEdgesOfThePixels) {

@@ -8,6 +8,7 @@
 namespace reprise {
 
 extern const TechniqueEntry kAmortizedEntry;
+extern const TechniqueEntry kCheckerboardEntry;
 extern const TechniqueEntry kCpsEntry;
 extern const TechniqueEntry kCpstEntry;
 extern const TechniqueEntry kFxaaEntry;
@@ -20,8 +21,9 @@ extern const TechniqueEntry kUe4TaaEntry;
 
 std::span<const TechniqueEntry> techniqueList() {
   static const TechniqueEntry kList[] = {
-      kNoneEntry,      kFxaaEntry, kReprojectionEntry, kUe4TaaEntry, kTaaEntry,
-      kAmortizedEntry, kPhlmEntry, kRepriseEntry,      kCpsEntry,    kCpstEntry,
+      kNoneEntry, kFxaaEntry,      kReprojectionEntry, kUe4TaaEntry,
+      kTaaEntry,  kAmortizedEntry, kPhlmEntry,         kRepriseEntry,
+      kCpsEntry,  kCpstEntry,      kCheckerboardEntry,
   };
   return kList;
 }

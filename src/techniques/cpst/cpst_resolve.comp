@@ -38,6 +38,9 @@ layout(binding = 10, std140) uniform Constants {
 
 // Motion below this is none (px): what half-precision motion images leave of a still camera.
 const float kStillMotion_px = 0.01;
+// How far from where a depth was sampled a history tap may have been: one texel, and two jitters of
+// half a pixel.
+const float kPlaneReach_px = 2.0;
 // Relative difference of depths up to which neighbours are one surface, for reconstruction.
 const float kSameSurface = 0.05;
 
@@ -73,6 +76,20 @@ ivec2 nearestOfCross(ivec2 px, ivec2 last_px) {
     }
   }
   return best_px;
+}
+
+// Change of inverse depth over a pixel, both axes together: of each axis the smaller of both sides,
+// since a silhouette is on one.
+float inverseSlope(ivec2 px, ivec2 last_px) {
+  float own = 1.0 / viewDepth(k.frame, depthAt(px, last_px));
+  float sum = 0.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    float before = 1.0 / viewDepth(k.frame, depthAt(px - step, last_px));
+    float after = 1.0 / viewDepth(k.frame, depthAt(px + step, last_px));
+    sum += min(abs(before - own), abs(after - own));
+  }
+  return sum;
 }
 
 vec2 motionAt(ivec2 px) {
@@ -175,8 +192,11 @@ void main() {
   if (kDisocclusion == kDisocclusionTaps) {
     float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                            center_px - k.frame.jitter_px, view_depth);
-    valid =
-        vec4(lessThanEqual(vec4(min(expected, kMaxViewDepth)), then * (1.0 + k.depth_tolerance)));
+    expected = min(expected, kMaxViewDepth);
+    float slope = kPlaneReach_px * inverseSlope(front_px, last_px);
+    for (int i = 0; i < 4; ++i) {
+      valid[i] = wasVisibleOnPlane(expected, then[i], k.depth_tolerance, slope) ? 1.0 : 0.0;
+    }
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
     hit = hit && dot(valid, vec4(1.0)) > 0.5;
   }

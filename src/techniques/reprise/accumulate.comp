@@ -21,7 +21,7 @@ layout(binding = 2) uniform sampler2D reactive_image;
 layout(binding = 3) uniform sampler2D predicted_image;
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D history_image;  // rgb linear, a: samples held
-layout(binding = 6) uniform sampler2D history_depth_image;
+layout(binding = 6) uniform usampler2D history_depth_image;
 layout(binding = 7) uniform sampler2D change_image;  // x: mean, y: the last, z: noise of residuals
 layout(binding = 8) uniform sampler2D gain_image;    // one texel a tile
 layout(binding = 9) writeonly uniform image2D next_history_image;
@@ -31,8 +31,6 @@ layout(binding = 12, std140) uniform Constants {
   RepriseConstants k;
 };
 
-// Motion below this is none: what half-precision motion images leave of a still camera (px).
-const float kStillMotion_px = 0.01;
 // Weight of a frame's residual in the running mean, unless evidence of the frame alone raises it.
 const float kChangeMemory = 0.3;
 // Residuals of 3x3 that count as independent: an edge's aliasing errs alike along a row.
@@ -42,8 +40,9 @@ const float kChangeCount = 3.0;
 const float kNoiseMemory = 0.5;
 // The least noise, as a share of what the residuals' scatter over 3x3 says.
 const float kSpatialShare = 0.3;
-// At rest nothing is lost by waiting, and history is long enough to be worth it.
-const float kPatience = 4.0;
+
+// Half-size of the bound where history is what a silhouette left: standard deviations.
+const float kBoundUncovered = 0.2;
 
 // Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
 const float kAloneSamples = 1.0;
@@ -96,7 +95,7 @@ void main() {
   vec2 previous_px = (center_px + motion_px) * then_scale;
   vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.previous_extent_px - 0.5);
   bool on_screen = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px);
-  bool still = dot(motion_px, motion_px) < kStillMotion_px * kStillMotion_px;
+  bool still = !isMoving(predicted);
 
   // Evidence of this frame alone, then of the running mean (eq. 8).
   vec4 then = textureLod(change_image, inside_px * k.frame.history_texel_uv, 0.0);
@@ -136,6 +135,7 @@ void main() {
   }
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
+  half_size = mix(half_size, kBoundUncovered, block.uncovered);
   float limit = still ? k.still_history : k.history;
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.

@@ -10,12 +10,13 @@
 
 struct HistoryBlock {
   vec4 texel[4];    // rgb linear, a: samples held; (0,0) (1,0) (0,1) (1,1)
+  float uncovered;  // share of taps that hold something closer that was seen there too
   float weight[4];  // 0: nothing there to be had
 };
 
 // `at`: where the corner of the pixel's first texel was, in texels. `near`: the inverse view depth
 // that this surface had there, and its slope a pixel.
-HistoryBlock historyBlock(sampler2D history_image, sampler2D history_depth_image,
+HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_image,
                           RepriseConstants k, vec2 at, float near, vec2 slope, bool on_screen) {
   vec2 last_texel = 2.0 * k.frame.previous_extent_px - 1.0;
   at = clamp(at, vec2(0.0), last_texel - 1.0);
@@ -25,25 +26,28 @@ HistoryBlock historyBlock(sampler2D history_image, sampler2D history_depth_image
   // Depth is one a pixel; five texels in a row lie in three pixels at most.
   ivec2 first_px = ivec2(floor((base - 1.0) * 0.5));
   ivec2 last_px = ivec2(k.frame.previous_extent_px) - 1;
+  HistoryBlock block;
+  block.uncovered = 0.0;
   float valid[9];
   float valid_count = 0.0;
   for (int i = 0; i < 9; ++i) {
     ivec2 at_px = clamp(first_px + ivec2(i % 3, i / 3), ivec2(0), last_px);
-    float depth = texelFetch(history_depth_image, at_px, 0).x;
+    vec2 depths = unpackedDepths(texelFetch(history_depth_image, at_px, 0).x);
     // The surface's plane where that pixel's depth was sampled; the pixel's centre is 1 texel from
     // `at`.
     vec2 offset_px =
         vec2(at_px) + 0.5 - 0.5 * (at + 1.0) + k.frame.jitter_px - k.frame.previous_jitter_px;
     float there = near + dot(slope, offset_px);
-    valid[i] = on_screen && there >= (1.0 - k.depth_tolerance) / depth ? 1.0 : 0.0;
+    valid[i] = on_screen && there >= (1.0 - k.depth_tolerance) * depths.x ? 1.0 : 0.0;
     valid_count += valid[i];
+    block.uncovered += there >= (1.0 - k.depth_tolerance) * depths.y ? 0.0 : valid[i];
   }
   // A cubic with taps left out would overshoot: bilinear over what is there.
   bool whole = valid_count > 8.5;
   vec4 wx = whole ? cubicWeights(f.x, k.sharpness) : vec4(0.0, 1.0 - f.x, f.x, 0.0);
   vec4 wy = whole ? cubicWeights(f.y, k.sharpness) : vec4(0.0, 1.0 - f.y, f.y, 0.0);
 
-  HistoryBlock block;
+  block.uncovered /= max(valid_count, 1.0);
   for (int j = 0; j < 4; ++j) {
     block.texel[j] = vec4(0.0);
     block.weight[j] = 0.0;

@@ -7,7 +7,7 @@
 #include "core/frame_inputs.glsl"
 #include "core/workgroup.h"
 #include "equations/evidence.h"
-#include "techniques/reprise/reprise_shared.h"
+#include "techniques/reprise/prediction.glsl"
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
@@ -45,12 +45,15 @@ void main() {
   float square = 0.0;
   float count = 0.0;
   float count_squares = 0.0;
+  bool moves = false;
   for (int y = -kSurroundings; y <= kSurroundings; ++y) {
     for (int x = -kSurroundings; x <= kSurroundings; ++x) {
       ivec2 at = tile + ivec2(x, y);
       if (any(lessThan(at, ivec2(0))) || any(greaterThan(at, last_tile))) continue;
       vec4 c = texelFetch(came_image, at, 0);
       vec4 t = texelFetch(told_image, at, 0);
+      moves = moves || t.a < 0.0;
+      t.a = abs(t.a);
       // Means of the tile times its share of valid pixels.
       vec3 shift = (c.rgb - t.rgb) / max(t.a, 1.0e-3);
       came += c.rgb;
@@ -70,17 +73,18 @@ void main() {
   float next_noise = mix(noise, 0.5 * dot(step, step), kNoiseMemory);
   imageStore(next_light_image, tile,
              vec4(clamp(mean, vec3(-kMaxShift), vec3(kMaxShift)), min(next_noise, kMaxColor)));
-  float believed =
-      believedShare(dot(mean, mean), variance + noise + kSmallestSquare, k.doubt_light);
+  float doubt = moves ? k.doubt_light : kPatience * k.doubt_light;
+  float believed = believedShare(dot(mean, mean), variance + noise + kSmallestSquare, doubt);
   vec3 gain = ratio(came, told);
   gain = mix(vec3(1.0), gain, believed);
 
   // What of its own the tile says beyond that.
   vec4 c = texelFetch(came_image, tile, 0);
   vec4 t = texelFetch(told_image, tile, 0);
+  t.a = abs(t.a);
   vec3 rest = c.rgb - t.rgb * gain;
   float own_noise = t.a * (c.a / kTileCount + t.a * noise);
-  float own = believedShare(dot(rest, rest), own_noise, k.doubt_light);
+  float own = believedShare(dot(rest, rest), own_noise, doubt);
   gain = mix(gain, ratio(c.rgb, t.rgb), own);
   imageStore(gain_image, tile, vec4(gain, 1.0));
 }

@@ -15,9 +15,9 @@ const float kSilhouette = 0.01;
 
 layout(binding = 0) uniform sampler2D depth_image;
 layout(binding = 1) uniform sampler2D motion_image;
-layout(binding = 2) uniform sampler2D history_image;        // 2 x 2 texels a pixel
-layout(binding = 3) uniform sampler2D history_depth_image;  // view depth, dilated like ours
-layout(binding = 4) writeonly uniform image2D next_depth_image;
+layout(binding = 2) uniform sampler2D history_image;         // 2 x 2 texels a pixel
+layout(binding = 3) uniform usampler2D history_depth_image;  // packedFar
+layout(binding = 4) writeonly uniform uimage2D next_depth_image;
 layout(binding = 5) writeonly uniform image2D predicted_image;  // rgb linear, a: kCross index
 layout(binding = 6, std140) uniform Constants {
   RepriseConstants k;
@@ -56,12 +56,28 @@ void main() {
   vec2 uv = inside_px * k.frame.history_texel_uv;
   float expected =
       expectedPreviousDepth(k.frame.previous_depth_coefficients, sample_px, view_depth);
-  vec4 depths_then = textureGather(history_depth_image, uv, 0);
-  float nearest = min(min(depths_then.x, depths_then.y), min(depths_then.z, depths_then.w));
+  uvec4 then = textureGather(history_depth_image, uv, 0);
+  float nearest = max(max(unpackedDepths(then.x).x, unpackedDepths(then.y).x),
+                      max(unpackedDepths(then.z).x, unpackedDepths(then.w).x));
   bool valid = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px) &&
-               1.0 / expected + slope >= (1.0 - k.depth_tolerance) / nearest;
+               1.0 / expected + slope >= (1.0 - k.depth_tolerance) * nearest;
   vec3 predicted = sanitizedColor(textureLod(history_image, uv, 0.0).rgb * k.frame.exposure_ratio);
 
-  imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));
-  imageStore(predicted_image, px, vec4(predicted, float(closest) + (valid ? 0.0 : kNoPrediction)));
+  // What lay farthest here lately, as it would be seen now.
+  bool seen = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px);
+  vec2 center_px = (vec2(px) + 0.5 + motion_px) * (k.frame.previous_extent_px / k.frame.extent_px);
+  ivec2 then_px = clamp(ivec2(center_px), ivec2(0), ivec2(k.frame.previous_extent_px) - 1);
+  uint lately = texelFetch(history_depth_image, then_px, 0).x;
+  float far = unpackedDepths(lately).x;
+  vec4 c = k.frame.previous_depth_coefficients;
+  float turned = dot(c.xy, sample_px) + c.z;
+  float far_then = far * turned / max(1.0 - c.w * far, 1.0e-3);
+  bool keep = seen && farAge(lately) < kFarFrames && far_then < near[0];
+  imageStore(next_depth_image, px,
+             uvec4(keep ? packedDepths(surface, far_then, farAge(lately) + 1u)
+                        : packedDepths(surface, near[0], 0u)));
+  bool still = dot(motion_px, motion_px) < kStillMotion_px * kStillMotion_px;
+  imageStore(
+      predicted_image, px,
+      vec4(predicted, float(closest) + (valid ? 0.0 : kNoPrediction) + (still ? 0.0 : kMoves)));
 }

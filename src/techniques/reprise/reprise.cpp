@@ -27,6 +27,8 @@ constexpr uint32_t kAccumulateShader[] = {
 
 // History texels a pixel and axis.
 constexpr uint32_t kTexels = 2;
+// What a frame adds to the samples held by the four texels of a pixel, together.
+constexpr float kFrameWeight = 2.0f;
 // A texel far from the sample still learns a little: 0 / 0 otherwise.
 constexpr float kSmallestWeight = 1.0e-3f;
 
@@ -49,6 +51,10 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
         eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), s.real(kSampleWidth));
     *weights[i] = std::max(*weights[i], kSmallestWeight);
   }
+  // Every sample counts as much as every other, wherever it lies: at rest their mean has no
+  // weights.
+  const float sum = *weights[0] + *weights[1] + *weights[2] + *weights[3];
+  for (float* weight : weights) *weight *= kFrameWeight / sum;
   const VkExtent2D tiles = tileExtent(pixel_extent);
   const VkExtent2D used = tileExtent(state.input_extent);
   constants.tile_uv = eq::vec2(1.0f / static_cast<float>(tiles.width * kTileSize_px),
@@ -82,7 +88,7 @@ class RepriseTechnique final : public Technique {
     pixel_extent_ = d.max_output_extent;
     const VkExtent2D fine = {pixel_extent_.width * kTexels, pixel_extent_.height * kTexels};
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, fine, 2);
-    depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, pixel_extent_, 2);
+    depth_ = d.history("history depth", VK_FORMAT_R32_UINT, pixel_extent_, 2);
     change_ = d.history("history change", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 2);
     predicted_ = d.history("predicted color", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
     const VkExtent2D tiles = tileExtent(pixel_extent_);

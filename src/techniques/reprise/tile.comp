@@ -13,7 +13,8 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D predicted_image;
 layout(binding = 2) writeonly uniform image2D came_image;  // rgb weighted mean, a: square of change
-layout(binding = 3) writeonly uniform image2D told_image;  // rgb weighted mean, a: share of valid
+layout(binding = 3) writeonly uniform image2D
+    told_image;  // rgb weighted mean, a: share of valid; below 0: some move
 layout(binding = 4, std140) uniform Constants {
   RepriseConstants k;
 };
@@ -27,6 +28,7 @@ void main() {
   vec3 told = vec3(0.0);
   float square = 0.0;
   float count = 0.0;
+  bool moves = false;
   for (int y = 0; y < kTileSize_px; ++y) {
     for (int x = 0; x < kTileSize_px; ++x) {
       ivec2 px = min(first_px + ivec2(x, y), last_px);
@@ -40,6 +42,7 @@ void main() {
       told += known * predicted.rgb;
       square += known * dot(change, change);
       count += known;
+      moves = moves || isMoving(predicted);
     }
   }
   const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);
@@ -49,5 +52,5 @@ void main() {
   came = min(came * scale, vec3(kMaxColor));
   square = min(square * kShare * (scale / kShare) * (scale / kShare), kMaxColor);
   imageStore(came_image, tile, vec4(came, square));
-  imageStore(told_image, tile, vec4(told * scale, count * kShare));
+  imageStore(told_image, tile, vec4(told * scale, (moves ? -count : count) * kShare));
 }

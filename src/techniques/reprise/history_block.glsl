@@ -6,7 +6,7 @@
 
 #include "core/frame_inputs.glsl"
 #include "equations/filters.h"
-#include "techniques/reprise/reprise_shared.h"
+#include "techniques/reprise/prediction.glsl"
 
 struct HistoryBlock {
   vec4 texel[4];    // rgb linear, a: samples held; (0,0) (1,0) (0,1) (1,1)

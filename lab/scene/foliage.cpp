@@ -83,9 +83,9 @@ class Foliage final : public Scene {
   const Geometry& geometry() const override { return geometry_; }
   glm::mat4 transform(uint32_t, double) const override { return glm::mat4(1.0f); }
 
-  CameraPose camera(std::string_view name, const CameraValues&, double time_s,
+  CameraPose camera(std::string_view name, const CameraValues& values, double time_s,
                     uint32_t) const override {
-    const auto t = static_cast<float>(name == "still" ? kStillAt_s : time_s);
+    const auto t = static_cast<float>(name == "still" ? kStillAt_s : values.at("from") + time_s);
     // Walks at 1.5 m/s, faster and slower by a half; steps twice a second; looks around.
     const float z = 6.0f - 1.5f * t + 0.45f * std::sin(1.7f * t);
     const float x = pathX(z) + 0.03f * std::sin(6.28f * t);
@@ -261,7 +261,9 @@ SceneInfo foliageScene();
 SceneInfo foliageScene() {
   return {.name = "foliage",
           .content = "alpha-tested leaves, twigs and grass in wind, textured ground, sun's shadows",
-          .cameras = {{"walk", "along a path, in steps, looking around", {}},
+          .cameras = {{"walk",
+                       "along a path, in steps, looking around",
+                       {{"from", 0.0, "seconds into the path at which it begins"}}},
                       {"still", "does not move, nor does the wind", {}, kStillAt_s}},
           .create = [] { return std::unique_ptr<Scene>(std::make_unique<Foliage>()); }};
 }

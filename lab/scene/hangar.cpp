@@ -54,9 +54,9 @@ class Hangar final : public Scene {
   const Geometry& geometry() const override { return geometry_; }
   glm::mat4 transform(uint32_t, double) const override { return glm::mat4(1.0f); }
 
-  CameraPose camera(std::string_view name, const CameraValues&, double time_s,
+  CameraPose camera(std::string_view name, const CameraValues& values, double time_s,
                     uint32_t) const override {
-    const auto t = static_cast<float>(name == "still" ? kStillAt_s : time_s);
+    const auto t = static_cast<float>(name == "still" ? kStillAt_s : values.at("from") + time_s);
     // A drone: round the ship's bow on a bent path, faster and slower, nodding and banking.
     const float turn = 0.55f + 0.26f * t + 0.09f * std::sin(1.9f * t);
     const float distance = 13.5f - 1.6f * std::sin(0.9f * t);
@@ -296,7 +296,9 @@ SceneInfo hangarScene();
 SceneInfo hangarScene() {
   return {.name = "hangar",
           .content = "trusses, rails and cables below a pixel, a mirroring hull, a wandering sun",
-          .cameras = {{"fly", "round the ship's bow, bent and banking", {}},
+          .cameras = {{"fly",
+                       "round the ship's bow, bent and banking",
+                       {{"from", 0.0, "seconds into the path at which it begins"}}},
                       {"still", "does not move, nor does the sun", {}, kStillAt_s}},
           .create = [] { return std::unique_ptr<Scene>(std::make_unique<Hangar>()); }};
 }

@@ -252,6 +252,43 @@ TEST(LeastSquares, AFeatureThatBarelyVariesDoesNotWindUp) {
   }
 }
 
+// P bounded about zero, where the prediction's variance is a small difference of large ones, is
+// another P: it forgets what it knows of the feature's own place, and follows the noise.
+TEST(LeastSquares, ModelsStoredAboutZeroAreBoundedAboutTheFeature) {
+  constexpr float kForgetting = 0.95f;
+  LinearModel about_feature = constantModel(vec3(0.5f), kPrior, kPrior);
+  LinearModel stored_about_zero = shiftedModel(about_feature, vec3(-0.5f));
+  LinearModel bounded_about_zero = stored_about_zero;
+  vec3 origin(0.5f);
+  double apart = 0.0;
+  double apart_bounded_about_zero = 0.0;
+  for (uint t = 0; t < 2000; ++t) {
+    const float wobble = 1e-2f * (unitFloat(hashPixel(t, 1u, 2u)) - 0.5f);
+    const vec3 z = vec3(0.5f) + vec3(wobble, -wobble, 0.5f * wobble);
+    const vec3 y(0.5f + 0.2f * (unitFloat(hashPixel(t, 3u, 4u)) - 0.5f));
+    const auto updated = [&](LinearModel m) {
+      m = boundedModel(m, kPrior, kPrior);
+      return boundedModel(updatedModel(m, vec3(0.0f), y - m.intercept, kForgetting), kPrior,
+                          kPrior);
+    };
+    about_feature = updated(shiftedModel(about_feature, z - origin));
+    stored_about_zero = shiftedModel(updated(shiftedModel(stored_about_zero, z)), vec3(0.0f) - z);
+    const vec3 error = y - predictedColor(bounded_about_zero, z);
+    bounded_about_zero =
+        boundedModel(updatedModel(bounded_about_zero, z, error, kForgetting), kPrior, kPrior);
+    origin = z;
+    const auto from = [&](const LinearModel& m) {
+      const double d = predictedColor(m, z).x - about_feature.intercept.x;
+      return d * d;
+    };
+    apart += from(stored_about_zero);
+    apart_bounded_about_zero += from(bounded_about_zero);
+  }
+  // The prediction's own deviation is about 0.01.
+  EXPECT_LT(std::sqrt(apart / 2000.0), 1e-3);
+  EXPECT_GT(std::sqrt(apart_bounded_about_zero / 2000.0), 5e-3);
+}
+
 TEST(LeastSquares, BoundsCutVariancesAndTheirCovariances) {
   LinearModel m = constantModel(vec3(0.0f), 4.0f, 16.0f);
   m.cross = vec3(4.0f, 0.0f, -100.0f);

@@ -5,10 +5,6 @@
 #ifndef REPRISE_TECHNIQUES_PHLM_FILTER_GLSL
 #define REPRISE_TECHNIQUES_PHLM_FILTER_GLSL
 
-// The paper's form keeps models about feature 0; all others about the pixel's own feature, which
-// shiftedModel changes exactly.
-const bool kAboutZero = kStorage == kStoragePaper;
-
 // The box of believable predictions (eq. 5), in RGB or YCoCg.
 Bound believable(PhlmConstants k, vec3 s[9]) {
   if (kBox == kBoxVariance) {
@@ -71,42 +67,42 @@ bool isSound(LinearModel m) {
          abs(m.intercept.z) < kMaxColor && m.level > 0.0;
 }
 
-// A model about zero as a mean that the feature does not move. About the feature it would do to
-// leave the slopes alone; brought back to zero their variance of 1000 z^2 would swallow the mean's
-// 1 / n in single precision. One that rests already is told by its covariances, which are 0.
-LinearModel restingModel(LinearModel m, vec3 z, float spread) {
-  bool rests = all(equal(m.cross, vec3(0.0)));
-  return constantModel(predictedColor(m, z), rests ? m.level : predictionVariance(m, z), spread);
+// A model that knows a colour, about the feature: the paper's prior is about 0, where it lets the
+// slopes have their part of the first error.
+LinearModel knownColor(vec3 color, float level, float spread, vec3 feature) {
+  LinearModel m = constantModel(color, level, spread);
+  return kAboutZero != 0u ? shiftedModel(m, feature) : m;
 }
 
 struct Filtered {
-  LinearModel model;
+  LinearModel model;  // about the pixel's feature
   vec3 color;
+  bool rests;  // a running mean
 };
 
 // `model` comes from where the pixel was, in this frame's exposure, about the feature that it had
-// there (`old_feature`), or about 0.
+// there (`old_feature`).
 Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, vec3 old_feature,
                        vec3 feature, Origin origin) {
   // At rest jitter does what the input's filter does in motion, and ends exact.
   vec3 y = origin.still
                ? s[4]
                : weightedSample(s, k.filter_weights_0_3, k.filter_weights_4_7, k.filter_weight_8.x);
-  // About the feature x = (1, 0), about zero x = (1, z). At rest the model stays where it was: a
-  // feature that still settles would add the slopes' variance to the mean's.
-  vec3 z = kAboutZero ? (origin.still ? old_feature : feature) : vec3(0.0);
-  if (!kAboutZero) model = shiftedModel(model, origin.still ? vec3(0.0) : feature - old_feature);
-  vec3 prediction = predictedColor(model, z);
+  // About the feature x = (1, 0). At rest the model stays where it was: a feature that still
+  // settles would add the slopes' variance to the mean's.
+  const vec3 kHere = vec3(0.0);
+  if (!origin.still) model = shiftedModel(model, feature - old_feature);
+  vec3 prediction = model.intercept;
+  Filtered result;
+  result.rests = false;
   // One test for both, so that no number that is none passes.
   bool sound = isSound(model) && all(lessThan(abs(prediction), vec3(kMaxColor)));
   if (!origin.valid || !sound) {
-    Filtered reset;
-    z = kAboutZero ? feature : vec3(0.0);
-    reset.model = constantModel(y, k.level_variance, k.spread_variance);
     // The first sample is in: what eq. 3 leaves of the prior.
-    reset.model = updatedModel(reset.model, z, vec3(0.0), k.lambda);
-    reset.color = y;
-    return reset;
+    result.model = updatedModel(knownColor(y, k.level_variance, k.spread_variance, feature), kHere,
+                                vec3(0.0), k.lambda);
+    result.color = y;
+    return result;
   }
   model = boundedModel(model, k.variance_limit, k.variance_limit);
 
@@ -114,34 +110,33 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
   bool unbounded = origin.still && k.box_still <= 0.0;
   if (correction.needed && !unbounded) {
     if (kClip == kClipReset) {
-      model = constantModel(correction.color, k.clip_variance, k.spread_variance);
+      model = knownColor(correction.color, k.clip_variance, k.spread_variance, feature);
     } else {
-      float level = predictionVariance(model, z);
-      model.intercept += correction.color - prediction;
-      model.level += max(k.clip_variance - level, 0.0);
+      model.intercept = correction.color;
+      model.level = max(model.level, k.clip_variance);
     }
     prediction = correction.color;
   }
 
-  Filtered result;
   result.model = model;
   result.color = prediction;
   if (!isUpdated(px, k.frame.frame_number)) return result;
   if (origin.still) {
     // Only the intercept learns, and forgets nothing: the running mean (eq. 7), of light whatever
     // the models are of: a mean of compressed colours is too dark for ever.
-    LinearModel here = kAboutZero ? restingModel(model, z, k.spread_variance) : model;
-    here.cross = vec3(0.0);
-    here.level = max(here.level, k.still_variance);
-    here.intercept = fromWorking(here.intercept);
-    here = updatedModel(here, vec3(0.0), fromWorking(y) - here.intercept, 1.0);
-    here.intercept = toWorking(here.intercept);
-    result.color = here.intercept;
-    result.model = here;
+    LinearModel mean = model;
+    mean.cross = vec3(0.0);
+    mean.level = max(mean.level, k.still_variance);
+    mean.intercept = fromWorking(mean.intercept);
+    mean = updatedModel(mean, kHere, fromWorking(y) - mean.intercept, 1.0);
+    mean.intercept = toWorking(mean.intercept);
+    result.color = mean.intercept;
+    result.model = mean;
+    result.rests = true;
     return result;
   }
-  result.model = updatedModel(model, z, y - prediction, k.lambda);
-  result.color = predictedColor(result.model, z);
+  result.model = updatedModel(model, kHere, y - prediction, k.lambda);
+  result.color = result.model.intercept;
   return result;
 }
 

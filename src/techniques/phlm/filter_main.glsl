@@ -1,6 +1,20 @@
 // SPDX-License-Identifier: MIT
 // The body of both filter shaders, which differ in how they hold models.
 
+// Models are computed with about the pixel's own feature, and stored so unless the paper's origin
+// is asked for. There all of P but one direction is large: what bounds it or cuts a negative
+// colour must not be done about 0, where the prediction is a difference of what it changes.
+// A running mean is kept as one that no feature moves, told by its covariances of exactly 0: about
+// 0 the slopes' variance of 1000 z^2 would swallow the mean's 1 / n in single precision.
+LinearModel withoutSlopes(LinearModel m) {
+  LinearModel r = constantModel(m.intercept, m.level, 0.0);
+  r.spread = m.spread;
+  return r;
+}
+LinearModel fromZero(LinearModel m, vec3 feature) {
+  return all(equal(m.cross, vec3(0.0))) ? m : shiftedModel(m, feature);
+}
+
 void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
@@ -23,12 +37,15 @@ void main() {
     feature = texelFetch(made_feature_image, px, 0).rgb;
   }
   LinearModel model = loadModel(origin.px, k.frame.previous_extent_px - 0.5);
+  if (kAboutZero != 0u) model = fromZero(model, previous.rgb);
   if (kCompressed != 0u) {
     model.intercept = exposed(model.intercept, k.frame.exposure_ratio);
   } else {
     model = exposedModel(model, k.frame.exposure_ratio);
   }
   Filtered filtered = filteredPixel(k, px, s, model, old_feature, feature, origin);
-  storeModel(px, boundedModel(filtered.model, k.variance_limit, k.variance_limit));
+  LinearModel kept = boundedModel(filtered.model, k.variance_limit, k.variance_limit);
+  if (kAboutZero != 0u) kept = filtered.rests ? withoutSlopes(kept) : shiftedModel(kept, -feature);
+  storeModel(px, kept);
   imageStore(output_image, px, vec4(min(fromWorking(filtered.color), vec3(kMaxColor)), 1.0));
 }

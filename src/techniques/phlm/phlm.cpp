@@ -59,6 +59,12 @@ PhlmConstants phlmConstants(const FrameState& state, VkExtent2D history_extent) 
   return constants;
 }
 
+// Half precision has no room for it.
+bool aboutZero(const Settings& s) {
+  const uint32_t storage = s.choice(kStorageForm);
+  return s.choice(kModelOrigin) == 0 && (storage == kStoragePaper || storage == kStorageSymmetric);
+}
+
 class Phlm final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
@@ -96,7 +102,8 @@ class Phlm final : public Technique {
                                                   s.number(kStillFrames) > 0.0 ? 1u : 0u,
                                                   s.choice(kUpdateShare),
                                                   split_ ? 0u : 1u,
-                                                  s.choice(kBoxHolds)};
+                                                  s.choice(kBoxHolds),
+                                                  aboutZero(s) ? 1u : 0u};
     if (split_) {
       feature_pass_ =
           d.pass({.name = "feature",

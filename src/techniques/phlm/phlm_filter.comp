@@ -45,6 +45,15 @@ vec4 between(sampler2D image, vec2 px, vec2 last_center_px) {
   return validHistory(image, px, last_center_px, vec4(1.0));
 }
 
+// Of which the colour or its variance is asked for. An intercept about 0 may be negative, and is
+// one with its slopes.
+vec4 colorBetween(sampler2D image, vec2 px, vec2 last_center_px) {
+  if (kHistoryFilter == kFilterCatmullRom && kHardwareBilinear != 0u && kAboutZero == 0u) {
+    return cubicHistory(image, px, k.frame.history_texel_uv, last_center_px, 0.5, false);
+  }
+  return between(image, px, last_center_px);
+}
+
 // The paper's: one image a colour with its four coefficients, one a row of P.
 LinearModel loadPaperModel(vec2 px, vec2 last_center_px) {
   vec4 r = between(model_0, px, last_center_px);
@@ -55,11 +64,13 @@ LinearModel loadPaperModel(vec2 px, vec2 last_center_px) {
   vec4 p2 = between(model_5, px, last_center_px);
   vec4 p3 = between(model_6, px, last_center_px);
   LinearModel m;
-  m.intercept = vec3(r.x, g.x, b.x);
+  m.intercept =
+      vec3(colorBetween(model_0, px, last_center_px).x, colorBetween(model_1, px, last_center_px).x,
+           colorBetween(model_2, px, last_center_px).x);
   m.slope_r = r.yzw;
   m.slope_g = g.yzw;
   m.slope_b = b.yzw;
-  m.level = p0.x;
+  m.level = colorBetween(model_3, px, last_center_px).x;
   m.cross = p0.yzw;
   m.spread = vec3(p1.y, p2.z, p3.w);
   m.spread_cross = vec3(p1.z, p1.w, p2.w);
@@ -80,9 +91,7 @@ void storePaperModel(ivec2 px, LinearModel m) {
 // each; the rest of P.
 LinearModel loadModel(vec2 px, vec2 last_center_px) {
   if (kStorage == kStoragePaper) return loadPaperModel(px, last_center_px);
-  vec4 level = kHistoryFilter == kFilterCatmullRom && kHardwareBilinear != 0u
-                   ? cubicHistory(model_0, px, k.frame.history_texel_uv, last_center_px, 0.5, false)
-                   : between(model_0, px, last_center_px);
+  vec4 level = colorBetween(model_0, px, last_center_px);
   vec4 r = between(model_1, px, last_center_px);
   vec4 g = between(model_2, px, last_center_px);
   vec4 b = between(model_3, px, last_center_px);

@@ -8,6 +8,7 @@ namespace reprise::phlm {
 namespace {
 
 constexpr const char* kStorageNames[] = {"paper", "symmetric", "half", "packed", nullptr};
+constexpr const char* kOriginNames[] = {"zero", "feature", nullptr};
 constexpr const char* kJitterNames[] = {"none", "always", "still", nullptr};
 constexpr const char* kInputNames[] = {"rendered", "fxaa", nullptr};
 constexpr const char* kUpdateNames[] = {"all", "half", "quarter", nullptr};
@@ -29,11 +30,16 @@ constexpr uint32_t kRebuild = 1;
 }  // namespace
 
 constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
-    choiceSetting(kStorageForm, "storage", 2, kStorageNames,
-                  "how a model is kept: 16 + 12 floats about feature 0 (112 bytes a pixel); the 22 "
-                  "distinct numbers about the pixel's own feature, as floats (88) or halves (44 to "
-                  "48); or 256 bits (32)",
-                  "Iglesias-Guitian et al. 2016: paper; experiment: effects.md, storage"),
+    choiceSetting(
+        kStorageForm, "storage", 2, kStorageNames,
+        "how a model is kept: 16 + 12 floats (112 bytes a pixel); the 22 distinct numbers "
+        "as floats (88) or halves (44 to 48); or 256 bits (32)",
+        "Iglesias-Guitian et al. 2016: paper; experiment: effects.md, storage"),
+    choiceSetting(kModelOrigin, "origin", 1, kOriginNames,
+                  "the feature at which a stored model's intercept is its colour: 0, or the "
+                  "pixel's own, which mixes neighbours' predictions instead of their lines, and "
+                  "needs fewer bits. Half and packed models are about the pixel's own",
+                  "Iglesias-Guitian et al. 2016: zero; experiment: effects.md"),
     choiceSetting(kJitter, "jitter", 2, kJitterNames,
                   "when samples move about the pixel: never, in every frame, or only while the "
                   "camera of the last two frames rests (without cameras: always)",
@@ -99,10 +105,11 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "when the box also holds the temporal feature, which has seen lines thinner than "
                   "a pixel where the neighbourhood is flat, and forgets shadows that have gone",
                   "experiment: effects.md"),
-    choiceSetting(kModelFilter, "history_filter", 1, kFilterNames,
-                  "how the colour of a model is read between pixels; slopes and variances always "
-                  "bilinearly. Not for storage=paper and packed",
-                  "Iglesias-Guitian et al. 2016: bilinear; experiment: effects.md"),
+    choiceSetting(
+        kModelFilter, "history_filter", 1, kFilterNames,
+        "how the colour of a model is read between pixels; slopes and their variances always "
+        "bilinearly. With origin=zero bilinear",
+        "Iglesias-Guitian et al. 2016: bilinear; experiment: effects.md"),
     choiceSetting(kDilate, "dilation", 1, kDilationNames,
                   "whose motion a pixel takes: its own, or the closest surface's in the cross",
                   "Karis 2014; experiment: effects.md"),
@@ -141,6 +148,7 @@ namespace {
 
 constexpr RepriseSettingValue kPaperValues[] = {
     {"storage", 0.0, "paper"},
+    {"origin", 0.0, "zero"},
     {"jitter", 0.0, "still"},
     {"input_width", 0.0, nullptr},
     {"passes", 0.0, "split"},
@@ -155,7 +163,7 @@ constexpr RepriseSettingValue kPaperValues[] = {
     {"box_still", 0.0, nullptr},
     {"box_feature", 0.0, "never"},
     {"history_filter", 0.0, "bilinear"},
-    {"dilation", 0.0, "none"},
+    {"dilation", 0.0, "cross"},
     {"feature_a", 0.125, nullptr},
     {"feature_b", 0.25, nullptr},
     {"feature_floor", 0.05, nullptr},

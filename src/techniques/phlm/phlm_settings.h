@@ -7,6 +7,7 @@ namespace reprise::phlm {
 
 enum Setting : uint32_t {
   kStorageForm,
+  kModelOrigin,
   kJitter,
   kJitterLength,
   kInput,

@@ -22,16 +22,20 @@ box=variance,box_gamma=1.5 box_space=ycocg box_feature=never box_feature=still
 history_filter=bilinear dilation=none depth_tolerance=0.02 feature_a=0.25 feature_b=1
 feature_floor=0 feature_floor=0.015 feature_floor=0.06 feature_floor=0.1 feature_weighs=old
 low_pass=none low_pass=tent bilinear=shader update=half update=quarter preset=sharp
-preset=paper
+preset=paper preset=paper,dilation=none preset=paper,origin=feature
+preset=paper,depth_tolerance=0.02 preset=paper,clip_variance=0.1 preset=paper,low_pass=box
+preset=paper,space=compressed preset=paper,input_width=0.58
+preset=paper,origin=feature,input_width=0.58
+preset=paper,origin=feature,input_width=0.58,feature_floor=0.03,low_pass=box
 """.split()
 # At rest nothing of the above learns.
 AT_REST = """
 jitter_length=16 jitter_length=256 box_still=0 box_still=1 box_still=16 still_frames=0
 still_frames=64 space=linear storage=symmetric storage=packed preset=paper
 """.split()
-STORAGE = ["storage=paper,history_filter=bilinear", "storage=symmetric,history_filter=bilinear",
-           "storage=half,history_filter=bilinear", "storage=packed,history_filter=bilinear",
-           "storage=symmetric", "storage=half"]
+STORAGE = ["storage=paper", "storage=symmetric", "storage=half", "storage=packed",
+           "storage=paper,history_filter=bilinear", "storage=packed,history_filter=bilinear",
+           "storage=paper,origin=zero", "storage=symmetric,origin=zero"]
 
 
 def captured(directory, scene, plan, switches=()):
@@ -101,7 +105,8 @@ def main():
     # What is sampled otherwise is another capture.
     lines = []
     for name, plan, switches, techniques in [
-            ("jitter=still", "phlm:jitter=none", (), ["none", "phlm", "phlm:preset=sharp"]),
+            ("jitter=still", "phlm:jitter=none", (),
+             ["none", "ue4-taa", "phlm", "phlm:preset=sharp"]),
             ("jitter=always", "phlm:jitter=always", (), ["none", "phlm", "phlm:preset=sharp"]),
             ("after FXAA", "phlm:jitter=none", (), ["fxaa", "phlm:input=fxaa,input_width=0"]),
             ("--spp 4", "phlm:jitter=none", ("--spp", "4"),

@@ -36,7 +36,7 @@ constexpr std::array<std::pair<const char*, double OverTime::*>, 4> kOverTime = 
 }};
 
 bool isStill(const std::string& run) {
-  const size_t slash = run.find('/');
+  const size_t slash = run.rfind('/');
   return slash != std::string::npos && run.compare(slash + 1, 5, "still") == 0;
 }
 
@@ -235,9 +235,15 @@ uint32_t PaperLab::warmUp(uint32_t frames) {
   return frames > 2 * kSettled ? kSettled : frames / 2;
 }
 
+PaperScale PaperLab::scaleOf(const PaperView& view) const {
+  PaperScale scale = options_.scale;
+  if (scale.whole && view.published_extent.width > 0) scale.extent = view.published_extent;
+  return scale;
+}
+
 std::string PaperLab::key(const std::string& run, const std::string& technique,
                           const PaperView& view) const {
-  const PaperScale& s = options_.scale;
+  const PaperScale s = scaleOf(view);
   const bool still = isStill(run);
   return fmt::format("{} by {} at {}x{}, {} frames, every {}, {} samples, judged by {}, reprise {}",
                      run, technique, s.extent.width, s.extent.height,
@@ -261,7 +267,7 @@ PaperScene& PaperLab::scene(const std::string& run, const PaperView& view) {
   const std::string wanted = key(run, "", view);
   if (!scene_ || open_key_ != wanted) {
     close();
-    scene_ = std::make_unique<PaperScene>(openDevice(), run, options_.scale, isStill(run), view,
+    scene_ = std::make_unique<PaperScene>(openDevice(), run, scaleOf(view), isStill(run), view,
                                           options_.cache, options_.quiet);
     open_key_ = wanted;
   }

@@ -43,6 +43,8 @@ struct PaperView {
   bool over_time = false;
   TextureFilter texture_filter = TextureFilter::kAniso16;
   uint32_t samples = 1;  // a pixel: RenderSwitches::samples
+  // Of a figure that was published at another size than the paper's: what a full run takes.
+  VkExtent2D published_extent{};
   // RenderSwitches::defer_lights: the deferred layer of light is kept from the technique.
   bool defer_lights = false;
 };
@@ -126,6 +128,8 @@ class PaperLab {
   explicit PaperLab(PaperLabOptions options);
 
   const PaperScale& scale() const { return options_.scale; }
+  // With the view's own size where the run is a full one.
+  PaperScale scaleOf(const PaperView& view) const;
   bool quiet() const { return options_.quiet; }
   std::unique_ptr<Device> openDevice() const { return options_.open_device(); }
   // Of the scenes opened so far; closes the open one.

@@ -38,6 +38,10 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
                   "technique gets their mean")
       ->check(CLI::IsMember({1u, 2u, 4u}))
       ->capture_default_str();
+  verb.add_option("--lights", lamps,
+                  "scenes: point and cone lights scattered over them (Forward+), instead of their "
+                  "own number")
+      ->check(CLI::Range(0u, lab::kMaxLamps));
   if (!with_reference) return;
   verb.add_option("--samples", reference_samples, "reference samples a pixel, even")
       ->check(CLI::Range(2u, 65536u))
@@ -74,6 +78,7 @@ lab::SceneSourceOptions SceneFlags::options() const {
                                     : texture_filter == "trilinear" ? lab::TextureFilter::kTrilinear
                                                                     : lab::TextureFilter::kAniso16;
   options.switches.shading_only = shading_only;
+  options.switches.lamps = lamps;
   options.reference.samples = reference_samples;
   options.reference.filter =
       reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 
 #include "lab/capture/layouts.h"
@@ -26,6 +27,7 @@ struct SceneFlags {
   float mip_bias = 0.0f;
   std::string texture_filter = "aniso16";
   uint32_t samples_a_pixel = 1;
+  std::optional<uint32_t> lamps;
 
   void addTo(CLI::App& verb, bool with_reference);
   lab::SceneSourceOptions options() const;

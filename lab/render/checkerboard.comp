@@ -28,6 +28,7 @@ void main() {
   shown_light_layers = push.light_layers;
   ivec2 px = ivec2(first + shaded, row);
   bool within = px.x < extent_px.x;
+  selectLightTile(px);
   VisibleTriangle seen;
   bool covered = within && fetchTriangle(px, seen);
   vec3 color = background();

@@ -51,6 +51,7 @@ void main() {
     int found = 0;
     while (found < distinct && keys[found] != key) ++found;
     if (found == distinct) {
+      selectLightTile(px);
       VisibleTriangle seen;
       vec3 color = background();
       if (fetchTriangle(px, seen)) {

@@ -51,10 +51,19 @@ LAB_CONST kAllLightLayers = 3u;
 LAB_CONST kMaxTextureClasses = 8u;
 
 // Bindings of passes that shade: 0 to 7 are the scene (scene_buffers.glsl, shade_triangle.glsl),
-// then the sun's shadow map, the textures' sampler and arrays; a pass's own begin after them.
+// then the sun's shadow map, the textures' sampler and arrays, lamps; a pass's own begin after
+// them.
 LAB_CONST kShadowMapBinding = 8u;
 LAB_CONST kShadeSamplerBinding = 9u;
-LAB_CONST kFirstPassBinding = 18u;
+LAB_CONST kLampsBinding = 18u;  // and what tiles see of them (lamps.glsl)
+LAB_CONST kLampTilesBinding = 19u;
+LAB_CONST kFirstPassBinding = 20u;
+
+// Local lights, many and small: a tile of the screen has a mask of those that may reach what it
+// sees, a bit each (Forward+; light_tiles.comp).
+LAB_CONST kMaxLamps = 512u;
+LAB_CONST kLampWords = 16u;  // kMaxLamps / 32
+LAB_CONST kLightTile_px = 16u;
 
 // In an instance's space, or, after the transform pass, in world space (m).
 struct GpuVertex {
@@ -101,6 +110,14 @@ struct GpuLight {
   vec2 cone_cosines;     // of the half angles: full light inside the first, none outside the second
   uint kind;
   uint layer;
+};
+
+// A local light. Its light falls with the square of distance and is 0 from its range on.
+struct GpuLamp {
+  vec4 position_range;   // xyz: world (m), w: range (m)
+  vec4 color_inner;      // rgb: as GpuLight's; w: cosine of the half angle of full light
+  vec4 direction_outer;  // xyz: unit, the way a cone goes; w: cosine of the half angle beyond which
+                         // there is none; below -1: a point light
 };
 
 // One frame. Element a of the arrays is a frames back; transforms of instances lie in a buffer of
@@ -170,6 +187,12 @@ struct TransformConstants {
   uint padding;
 };
 
+struct LightTilesConstants {
+  vec2 jitter_px;
+  float near_plane;  // view depth is near_plane / depth
+  uint cull;         // 0: every lamp in every tile
+};
+
 struct FinishConstants {
   float scale;  // 1 / samples
 };
@@ -180,7 +203,10 @@ static_assert(sizeof(GpuMaterial) == 64);
 static_assert(sizeof(GpuSway) == 48);
 static_assert(sizeof(GpuLight) == 64);
 static_assert(sizeof(GpuFrame) == 10 * 64 + 9 * 16 + 32 + kMaxLights * sizeof(GpuLight) + 32);
-static_assert(kFirstPassBinding == kShadeSamplerBinding + 1 + kMaxTextureClasses);
+static_assert(sizeof(GpuLamp) == 48);
+static_assert(kMaxLamps == 32 * kLampWords);
+static_assert(kLampsBinding == kShadeSamplerBinding + 1 + kMaxTextureClasses);
+static_assert(kFirstPassBinding == kLampTilesBinding + 1);
 }  // namespace reprise::lab
 #endif
 

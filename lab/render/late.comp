@@ -38,6 +38,7 @@ void main() {
 
   shown_light_layers = kLightLayerMain;
   vec2 center_px = vec2(px) + 0.5 - push.jitter_px;
+  selectLightTile(px);
   VisibleTriangle seen;
   bool reached = false;
   if (fetchTriangle(px, seen)) {

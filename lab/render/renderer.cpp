@@ -79,6 +79,8 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
       frame_rate_(frame_rate),
       buffers_(device, *scene_, switches.texture_filter),
       shadow_map_(device, *scene_, buffers_),
+      light_tiles_(device, scatteredLamps(*scene_, switches.lamps.value_or(scene_->lampCount())),
+                   extent, switches.cull_lamps),
       visible_(device, {.format = VK_FORMAT_R32G32_UINT, .extent = extent, .render_target = true}),
       depth_(device, {.format = VK_FORMAT_D32_SFLOAT, .extent = extent, .render_target = true}),
       motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}),
@@ -87,19 +89,28 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
   createPrograms(device);
 }
 
+std::vector<VkDescriptorType> Renderer::shadingTypes() {
+  return followedBy(SceneBuffers::shadingTypes(), LightTiles::types());
+}
+
+std::vector<Bound> Renderer::shadingBindings() const {
+  return followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
+                    light_tiles_.bindings());
+}
+
 std::vector<uint32_t> Renderer::shadeSpecialization(bool accumulate) const {
   return {buffers_.materialKinds(),   accumulate ? 1u : 0u,
           buffers_.onlyKind(),        buffers_.textures().classCount(),
-          shadow_map_.on() ? 1u : 0u, buffers_.textures().anisotropy()};
+          shadow_map_.on() ? 1u : 0u, buffers_.textures().anisotropy(),
+          light_tiles_.lampCount()};
 }
 
 ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) const {
-  return ComputeProgram(device,
-                        {.name = "shade",
-                         .spirv = kShadeShader,
-                         .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored, kStored}),
-                         .push_bytes = sizeof(ShadeConstants),
-                         .specialization = shadeSpecialization(accumulate)});
+  return ComputeProgram(device, {.name = "shade",
+                                 .spirv = kShadeShader,
+                                 .bindings = followedBy(shadingTypes(), {kStored, kStored}),
+                                 .push_bytes = sizeof(ShadeConstants),
+                                 .specialization = shadeSpecialization(accumulate)});
 }
 
 void Renderer::createPrograms(Device& device) {
@@ -206,6 +217,10 @@ void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) co
   fullBarrier(commands);
 }
 
+void Renderer::recordLightTiles(VkCommandBuffer commands, eq::vec2 jitter_px) const {
+  light_tiles_.record(commands, buffers_.frameBuffer(), depth_, jitter_px, near_plane_);
+}
+
 void Renderer::drawScene(VkCommandBuffer commands, const GraphicsProgram& opaque,
                          const GraphicsProgram& tested, eq::vec2 jitter_px) const {
   const std::vector<Instance>& instances = scene_->geometry().instances;
@@ -284,12 +299,12 @@ void Renderer::recordGeometry(VkCommandBuffer commands) const {
 void Renderer::prepareServe() {
   if (extra_.view() != VK_NULL_HANDLE) return;
   extra_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
-  serve_program_ = ComputeProgram(
-      device_, {.name = "serve",
-                .spirv = kServeShader,
-                .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored, kStorageBuffer}),
-                .push_bytes = sizeof(ServeConstants),
-                .specialization = shadeSpecialization(false)});
+  serve_program_ =
+      ComputeProgram(device_, {.name = "serve",
+                               .spirv = kServeShader,
+                               .bindings = followedBy(shadingTypes(), {kStored, kStorageBuffer}),
+                               .push_bytes = sizeof(ServeConstants),
+                               .specialization = shadeSpecialization(false)});
 }
 
 void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests,
@@ -298,11 +313,9 @@ void Renderer::recordServe(VkCommandBuffer commands, VkBuffer requests,
   const VkImageSubresourceRange range{VK_IMAGE_ASPECT_COLOR_BIT, 0, 1, 0, 1};
   vkCmdClearColorImage(commands, extra_.handle(), VK_IMAGE_LAYOUT_GENERAL, &zero, 1, &range);
   fullBarrier(commands);
-  serve_program_.dispatchIndirect(
-      commands, requests,
-      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
-                 {stored(extra_), stored(requests)}),
-      ServeConstants{light_layers});
+  serve_program_.dispatchIndirect(commands, requests,
+                                  followedBy(shadingBindings(), {stored(extra_), stored(requests)}),
+                                  ServeConstants{light_layers});
   fullBarrier(commands);
 }
 
@@ -318,9 +331,7 @@ void Renderer::recordMotionInto(VkCommandBuffer commands, const Image& image, eq
 
 void Renderer::recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program,
                                const Image& color, const ShadeConstants& constants) const {
-  program.dispatch(commands, extent_,
-                   followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
-                              {stored(color), stored(sum_)}),
+  program.dispatch(commands, extent_, followedBy(shadingBindings(), {stored(color), stored(sum_)}),
                    constants);
   fullBarrier(commands);
 }
@@ -333,7 +344,7 @@ void Renderer::prepareCoarse() {
   if (coarse_ready_) return;
   ComputeProgramInfo info{.name = "coarse",
                           .spirv = kCoarseShader,
-                          .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored}),
+                          .bindings = followedBy(shadingTypes(), {kStored}),
                           .push_bytes = sizeof(CoarseConstants),
                           .specialization = shadeSpecialization(false)};
   coarse_program_ = ComputeProgram(device_, info);
@@ -344,8 +355,7 @@ void Renderer::prepareCoarse() {
 }
 
 void Renderer::recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const {
-  const std::vector<Bound> bound =
-      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()), {stored(color_)});
+  const std::vector<Bound> bound = followedBy(shadingBindings(), {stored(color_)});
   if (constants.size > 1) {
     // One more where the grid begins inside the frame's first coarse pixel.
     const VkExtent2D blocks{extent_.width / constants.size + 2,
@@ -361,19 +371,16 @@ void Renderer::recordCoarse(VkCommandBuffer commands, const CoarseConstants& con
 void Renderer::prepareLate() {
   if (late_.view() != VK_NULL_HANDLE) return;
   late_ = Image(device_, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent_});
-  late_program_ =
-      ComputeProgram(device_, {.name = "late light",
-                               .spirv = kLateShader,
-                               .bindings = followedBy(SceneBuffers::shadingTypes(), {kStored}),
-                               .push_bytes = sizeof(LateConstants),
-                               .specialization = shadeSpecialization(false)});
+  late_program_ = ComputeProgram(device_, {.name = "late light",
+                                           .spirv = kLateShader,
+                                           .bindings = followedBy(shadingTypes(), {kStored}),
+                                           .push_bytes = sizeof(LateConstants),
+                                           .specialization = shadeSpecialization(false)});
 }
 
 void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const {
-  late_program_.dispatch(
-      commands, extent_,
-      followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()), {stored(late_)}),
-      LateConstants{{jitter_px.x, jitter_px.y}});
+  late_program_.dispatch(commands, extent_, followedBy(shadingBindings(), {stored(late_)}),
+                         LateConstants{{jitter_px.x, jitter_px.y}});
   fullBarrier(commands);
 }
 
@@ -390,9 +397,15 @@ void Renderer::recordAccumulate(VkCommandBuffer commands, std::span<const eq::ve
   bool seen = false;
   for (const eq::vec2 jitter_px : jitters_px) {
     if (!seen || !shading_only) {
+      const eq::vec2 seen_px = shading_only ? eq::vec2(0.0f, 0.0f) : jitter_px;
       if (timestamps != nullptr) timestamps->start(commands, "visibility");
-      recordVisibility(commands, shading_only ? eq::vec2(0.0f, 0.0f) : jitter_px);
+      recordVisibility(commands, seen_px);
       if (timestamps != nullptr) timestamps->stop(commands);
+      if (hasLamps()) {
+        if (timestamps != nullptr) timestamps->start(commands, "light tiles");
+        recordLightTiles(commands, seen_px);
+        if (timestamps != nullptr) timestamps->stop(commands);
+      }
       seen = true;
     }
     if (timestamps != nullptr) timestamps->start(commands, "shade");
@@ -417,6 +430,7 @@ std::vector<uint8_t> Renderer::contentBytes() const {
   append(bytes, kTransformShader, std::size(kTransformShader));
   append(bytes, kShadeShader, std::size(kShadeShader));
   shadow_map_.appendContent(bytes);
+  light_tiles_.appendContent(bytes);
   return bytes;
 }
 

@@ -7,14 +7,17 @@
 #include <array>
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <span>
 #include <vector>
 
 #include "equations/language.h"
 #include "lab/frame_inputs.h"
 #include "lab/render/frame_data.h"
+#include "lab/render/light_tiles.h"
 #include "lab/render/scene_buffers.h"
 #include "lab/render/shadow_map.h"
+#include "lab/scene/scattered_lamps.h"
 #include "lab/scene/scene.h"
 #include "lab/vk/compute_program.h"
 #include "lab/vk/graphics_program.h"
@@ -31,6 +34,8 @@ struct RenderSwitches {
   // Visibility stays at the pixel centre; only the shading position follows jitter and grid, on the
   // triangle seen there: shading is antialiased, silhouettes are not (as in Yang et al. 2009).
   bool shading_only = false;
+  std::optional<uint32_t> lamps;  // scattered over the scene, instead of its own number
+  bool cull_lamps = true;         // false: every pixel loops over all of them
 };
 
 class Renderer {
@@ -54,6 +59,10 @@ class Renderer {
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
   void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
+  // After visibility of the same jitter, before anything is shaded: Forward+. Nothing without
+  // lamps.
+  bool hasLamps() const { return light_tiles_.lampCount() > 0; }
+  void recordLightTiles(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   // The same to the frame `frames_back` ago, into motionBack(frames_back); replaces the transforms.
   // prepareMotionBack must have been called.
   void prepareMotionBack();
@@ -101,6 +110,7 @@ class Renderer {
   float nearPlane() const { return near_plane_; }
   const ShadowMap& shadowMap() const { return shadow_map_; }
   const SceneBuffers& buffers() const { return buffers_; }
+  const LightTiles& lightTiles() const { return light_tiles_; }
 
   // Surface evaluations since the last call; after the recorded work has finished.
   uint64_t takeEvaluations() { return buffers_.takeEvaluations(); }
@@ -116,6 +126,9 @@ class Renderer {
   // Seconds at which the scene is in frame `frame`; earlier frames than 0 repeat it.
   double timeOf(double frame) const;
   std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
+  // 0 to kFirstPassBinding - 1, of every pass that shades.
+  static std::vector<VkDescriptorType> shadingTypes();
+  std::vector<Bound> shadingBindings() const;
   void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program, const Image& color,
                        const ShadeConstants& constants) const;
   // Opaque triangles first: they hide what would be tested in vain.
@@ -135,6 +148,7 @@ class Renderer {
 
   SceneBuffers buffers_;
   ShadowMap shadow_map_;
+  LightTiles light_tiles_;
   Image visible_;
   Image depth_;
   Image motion_;

@@ -56,12 +56,13 @@ class SceneBuffers {
   // 0 to 3, of every compute pass that looks at surfaces.
   static std::vector<VkDescriptorType> surfaceTypes();
   std::vector<Bound> surfaceBindings(const Image& visible) const;
-  // 0 to kFirstPassBinding - 1, of every pass that shades.
+  // 0 to kLampsBinding - 1, of every pass that shades.
   static std::vector<VkDescriptorType> shadingTypes();
   std::vector<Bound> shadingBindings(const Image& visible, const Image& shadow_map) const;
   // World positions as the transform pass left them of the frames before.
   const Buffer& previousWorld() const { return previous_world_; }
   const Buffer& world() const { return world_; }
+  const Buffer& frameBuffer() const { return frame_; }
 
   // kKinds, and kOnlyKind of shade_triangle.glsl.
   uint32_t materialKinds() const { return material_kinds_; }

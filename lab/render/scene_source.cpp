@@ -131,6 +131,9 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   }
   // Depth and motion are those of the frame's one position also where colour has many.
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
+  if (renderer_.hasLamps()) {
+    span("light tiles", [&] { renderer_.recordLightTiles(commands, jitter_px); });
+  }
   span("motion", [&] { renderer_.recordMotion(commands, jitter_px, 1); });
 
   FrameInputs inputs;

@@ -32,6 +32,7 @@ void main() {
   if (index < count) {
     uint entry = entries[index];
     ivec2 px = ivec2(int(entry & 16383u), int((entry >> 14) & 16383u));
+    selectLightTile(px);
     VisibleTriangle seen;
     bool covered = fetchTriangle(px, seen);
     vec4 sum = vec4(0.0);

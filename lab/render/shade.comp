@@ -31,6 +31,7 @@ void main() {
     sample_px += shadingOffset(uint(px.x), uint(px.y), push.offset_seed, push.offset_sigma_px,
                                push.offset_quadrant);
   }
+  selectLightTile(px);
   VisibleTriangle seen;
   bool covered = fetchTriangle(px, seen);
   vec3 color = background();

@@ -19,6 +19,7 @@ layout(binding = 7, std430) readonly buffer Transforms {
 };
 
 const uint kSamplerBinding = kShadeSamplerBinding;
+#include "lab/render/lamps.glsl"
 #include "lab/render/shadow.glsl"
 #include "lab/render/textures.glsl"
 #include "lab/scene/shading/shading_list.glsl"

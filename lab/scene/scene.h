@@ -113,6 +113,8 @@ class Scene {
   virtual SceneLights lights(double time_s) const = 0;
   // Direction and strength of the wind that moves vertices with a GpuSway; 1 is a fresh breeze.
   virtual glm::vec3 wind_world(double) const { return glm::vec3(0.0f); }
+  // How many lamps are scattered over it (scattered_lamps.h) where nobody asks for another number.
+  virtual uint32_t lampCount() const { return 0; }
   // What the scene's file holds and the lab leaves out, a line each.
   virtual std::vector<std::string> warnings() const { return {}; }
 };

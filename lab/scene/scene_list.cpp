@@ -18,12 +18,13 @@ SceneInfo foliageScene();
 SceneInfo hangarScene();
 SceneInfo horseScene();
 SceneInfo indoorScene();
+SceneInfo lightsScene();
 SceneInfo teapotScene();
 
 const std::vector<SceneInfo>& sceneList() {
   static const std::vector<SceneInfo> list = {
       chartScene(),  brickScene(),   horseScene(),  teapotScene(),
-      indoorScene(), foliageScene(), hangarScene(),
+      indoorScene(), foliageScene(), hangarScene(), lightsScene(),
   };
   return list;
 }

@@ -100,6 +100,32 @@ TEST(CoarseJitter, SpreadsShadingOverFourPixelsAndVisibilityOverOne) {
   EXPECT_GT(closest(points, 1.0f), 1.5f * closest(scaled, 1.0f));
 }
 
+// Mean over windows of `frames` frames of the shortest distance in them, on a torus of side `side`.
+float windowed(const std::vector<vec2>& points, size_t frames, float side) {
+  float sum = 0.0f;
+  for (size_t start = 0; start < points.size(); ++start) {
+    std::vector<vec2> window;
+    for (size_t i = 0; i < frames; ++i) window.push_back(points[(start + i) % points.size()]);
+    sum += closest(window, side);
+  }
+  return sum / static_cast<float>(points.size());
+}
+
+// An order by shading alone lets the visibility of frames in succession fall together: random
+// points, the same set by another order, are then farther apart there.
+TEST(CoarseJitter, FramesInSuccessionSpreadInBothDomains) {
+  const std::vector<vec2>& points = coarseBlueNoise(32);
+  std::vector<vec2> scaled;
+  for (uint32_t i = 0; i < 32; ++i) {
+    const vec2 offset = haltonOffset(i);
+    scaled.push_back(vec2(1.0f + 2.0f * offset.x, 1.0f + 2.0f * offset.y));
+  }
+  for (const size_t frames : {2u, 4u, 8u}) {
+    EXPECT_GT(windowed(points, frames, 1.0f), 1.2f * windowed(scaled, frames, 1.0f)) << frames;
+    EXPECT_GT(windowed(points, frames, 2.0f), 0.9f * windowed(scaled, frames, 2.0f)) << frames;
+  }
+}
+
 TEST(CoarseJitter, EveryQuadrantComesWithinFewFrames) {
   const std::vector<vec2>& points = coarseBlueNoise(32);
   for (size_t start = 0; start < points.size(); ++start) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: MIT
 // The scene's lights at a surface. Includers have `frame` (lab/render/scene_buffers.glsl) and
-// sunShare (lab/render/shadow.glsl).
+// sunShare (lab/render/shadow.glsl) and the lamps of a tile (lab/render/lamps.glsl).
 #ifndef REPRISE_LAB_LIGHTING_GLSL
 #define REPRISE_LAB_LIGHTING_GLSL
 
@@ -55,6 +55,21 @@ Arriving lightAt(uint i, vec3 position_world) {
   return Arriving(to_light, color);
 }
 
+// Karis 2013: falls with the square of distance and, by a window, to 0 at the range.
+Arriving lampAt(uint i, vec3 position_world) {
+  vec4 position_range = lamps[i].position_range;
+  vec4 color_inner = lamps[i].color_inner;
+  vec4 direction_outer = lamps[i].direction_outer;
+  vec3 to_light = position_range.xyz - position_world;
+  float distance_squared = max(dot(to_light, to_light), 1.0e-4);
+  to_light *= inversesqrt(distance_squared);
+  float share = distance_squared / (position_range.w * position_range.w);
+  float window = max(1.0 - share * share, 0.0);
+  float falloff = window * window / distance_squared;
+  falloff *= smoothstep(direction_outer.w, color_inner.w, -dot(to_light, direction_outer.xyz));
+  return Arriving(to_light, color_inner.rgb * falloff);
+}
+
 vec3 ambientLight() {
   return (shown_light_layers & kLightLayerMain) != 0u ? frame.ambient.rgb : vec3(0.0);
 }
@@ -69,21 +84,30 @@ struct Appearance {
   vec3 mirror;        // share of the room around that is reflected (room.glsl)
 };
 
-// Lambert and normalized Blinn-Phong under all lights.
+// Lambert and normalized Blinn-Phong under one light: what is shown of it.
+vec3 litBy(Arriving light, uint layer, SurfacePoint s, Appearance a) {
+  vec3 halfway = normalize(light.to_light_world + s.to_eye_world);
+  float specular = a.reflectance * (a.gloss + 8.0) * 0.125 *
+                   pow(max(dot(a.normal_world, halfway), 0.0), a.gloss);
+  float facing = max(dot(a.normal_world, light.to_light_world), 0.0);
+  vec3 reflected = (a.albedo + specular) * light.color * facing;
+  if ((layer & shown_light_layers) != 0u) {
+    shown_gleam += specular * light.color * facing;
+    return reflected;
+  }
+  hidden_light += reflected;
+  return vec3(0.0);
+}
+
 vec3 litSurface(SurfacePoint s, Appearance a) {
   vec3 color = a.albedo * ambientLight() * a.open;
   for (uint i = 0u; i < frame.light_count; ++i) {
-    Arriving light = lightAt(i, s.position_world);
-    vec3 halfway = normalize(light.to_light_world + s.to_eye_world);
-    float specular = a.reflectance * (a.gloss + 8.0) * 0.125 *
-                     pow(max(dot(a.normal_world, halfway), 0.0), a.gloss);
-    float facing = max(dot(a.normal_world, light.to_light_world), 0.0);
-    vec3 reflected = (a.albedo + specular) * light.color * facing;
-    if ((frame.lights[i].layer & shown_light_layers) != 0u) {
-      color += reflected;
-      shown_gleam += specular * light.color * facing;
-    } else {
-      hidden_light += reflected;
+    color += litBy(lightAt(i, s.position_world), frame.lights[i].layer, s, a);
+  }
+  for (uint word = 0u; word < lampWords(); ++word) {
+    for (uint bits = lampsOfTile(word); bits != 0u; bits &= bits - 1u) {
+      color +=
+          litBy(lampAt(32u * word + uint(findLSB(bits)), s.position_world), kLightLayerMain, s, a);
     }
   }
   return color;

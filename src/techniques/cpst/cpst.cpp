@@ -60,7 +60,7 @@ constexpr auto kSettings = settingTable({
     integerSetting(kJitterLength, "jitter_length", 32, 1, 128, "frames",
                    "length of the cycle; longer ones converge further at rest",
                    "experiment: README.md; the paper gives none"),
-    numberSetting(kAlpha, "alpha", 0.2, 0.001, 1.0, "",
+    numberSetting(kAlpha, "alpha", 0.15, 0.001, 1.0, "",
                   "lowest mean weight of a new sample in motion",
                   "Xiao et al. 2018: 0.1; experiment: README.md"),
     switchSetting(kShadingFilter, "shading_filter", true,
@@ -87,7 +87,7 @@ constexpr auto kSettings = settingTable({
                   "Xiao et al. 2018, section 4 (scale); taa (taps)"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0, 1.0, "relative",
                   "how much farther than the tap the current surface may be", "as taa"),
-    choiceSetting(kReconstruct, "reconstruct", 2, kReconstructNames,
+    choiceSetting(kReconstruct, "reconstruct", 1, kReconstructNames,
                   "mixes the samples of one surface around a pixel by their distance: nowhere, "
                   "where history is missing, or everywhere",
                   "ours; named as future work by Xiao et al. 2018"),

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: MIT
+//
+// Forward+ (Harada et al. 2012): which lamps may reach what a tile of the screen sees. A lamp's
+// ball, a cone's smaller one, against the tile's four sides and against the nearest and farthest
+// view depth in it.
+#version 450
+#extension GL_GOOGLE_include_directive : require
+
+#include "lab/render/frame_data.h"
+
+layout(local_size_x = 16, local_size_y = 16) in;  // kLightTile_px
+
+layout(binding = 0, std140) uniform Frame {
+  GpuFrame frame;
+};
+layout(binding = 1) uniform sampler2D depth_image;  // reversed, infinite
+layout(binding = 2, std430) readonly buffer Lamps {
+  GpuLamp lamps[];
+};
+layout(binding = 3, std430) writeonly buffer LampTiles {
+  uint lamp_tiles[];
+};
+layout(push_constant) uniform Push {
+  LightTilesConstants push;
+};
+
+layout(constant_id = 0) const uint kLampCount = 0u;
+
+// How far from a pixel's own sample it may be shaded (px): a coarse pixel of four, or a jitter and
+// a coarse pixel of two.
+const float kShadingReach_px = 2.0;
+// Rounding of depth, relative.
+const float kDepthSlack = 1.0e-4;
+
+// Bits of depths: not negative, so that they order as the numbers do.
+shared uint nearest_bits;
+shared uint farthest_bits;
+shared uint masks[kLampWords];
+
+// Depth is inverse view depth times the near plane, linear over a plane's pixels: how much it
+// changes over a pixel, of each axis on the side without a silhouette.
+float slopeAt(ivec2 px, float own, ivec2 last_px) {
+  float sum = 0.0;
+  for (int axis = 0; axis < 2; ++axis) {
+    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
+    float before = texelFetch(depth_image, max(px - step, ivec2(0)), 0).x;
+    float after = texelFetch(depth_image, min(px + step, last_px), 0).x;
+    sum += min(abs(before - own), abs(after - own));
+  }
+  return sum;
+}
+
+struct Ball {
+  vec3 center_world;
+  float radius_m;
+};
+
+// Around all that a lamp reaches.
+Ball ballOf(GpuLamp lamp) {
+  vec3 position_world = lamp.position_range.xyz;
+  float range_m = lamp.position_range.w;
+  float cosine = lamp.direction_outer.w;
+  if (cosine <= 0.0) return Ball(position_world, range_m);
+  float sine = sqrt(max(1.0 - cosine * cosine, 0.0));
+  // Through the apex and the rim; where the rim is wider than that, about its circle.
+  bool narrow = cosine > sine;
+  float along = narrow ? 0.5 * range_m / cosine : cosine * range_m;
+  return Ball(position_world + along * lamp.direction_outer.xyz, narrow ? along : sine * range_m);
+}
+
+// Signed distance, positive inside: clip coordinate `axis` times `side` is below `bound` times w.
+float insideOf(vec3 center_world, int axis, float bound, float side) {
+  mat4 m = transpose(frame.view_projection[0]);
+  vec4 plane = side * (bound * m[3] - m[axis]);
+  return dot(plane, vec4(center_world, 1.0)) / length(plane.xyz);
+}
+
+bool reaches(Ball ball, vec2 low_ndc, vec2 high_ndc, float nearest_m, float farthest_m) {
+  float depth_m = dot(transpose(frame.view_projection[0])[3], vec4(ball.center_world, 1.0));
+  bool in_depth = depth_m - ball.radius_m <= farthest_m && depth_m + ball.radius_m >= nearest_m;
+  float inside = min(min(insideOf(ball.center_world, 0, high_ndc.x, 1.0),
+                         insideOf(ball.center_world, 0, low_ndc.x, -1.0)),
+                     min(insideOf(ball.center_world, 1, high_ndc.y, 1.0),
+                         insideOf(ball.center_world, 1, low_ndc.y, -1.0)));
+  return in_depth && inside >= -ball.radius_m;
+}
+
+void main() {
+  uint thread = gl_LocalInvocationIndex;
+  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 last_px = ivec2(frame.extent_px) - 1;
+  if (thread == 0u) {
+    nearest_bits = 0u;
+    farthest_bits = 0xffffffffu;
+  }
+  if (thread < kLampWords) masks[thread] = 0u;
+  barrier();
+  if (all(lessThanEqual(px, last_px))) {
+    float depth = texelFetch(depth_image, px, 0).x;
+    if (depth > 0.0) {
+      float reach = kShadingReach_px * slopeAt(px, depth, last_px) + kDepthSlack * depth;
+      atomicMax(nearest_bits, floatBitsToUint(depth + reach));
+      atomicMin(farthest_bits, floatBitsToUint(max(depth - reach, 0.0)));
+    }
+  }
+  barrier();
+  float nearest_m = push.near_plane / max(uintBitsToFloat(nearest_bits), 1.0e-30);
+  float farthest_m = push.near_plane / max(uintBitsToFloat(farthest_bits), 1.0e-30);
+  vec2 low_px = vec2(gl_WorkGroupID.xy * kLightTile_px) - push.jitter_px - kShadingReach_px;
+  vec2 high_px = low_px + float(kLightTile_px) + 2.0 * kShadingReach_px;
+  vec2 low_ndc = low_px / frame.extent_px * 2.0 - 1.0;
+  vec2 high_ndc = high_px / frame.extent_px * 2.0 - 1.0;
+  bool any_surface = nearest_bits != 0u;
+  for (uint i = thread; i < kLampCount; i += gl_WorkGroupSize.x * gl_WorkGroupSize.y) {
+    bool wanted = push.cull == 0u;
+    if (!wanted && any_surface) {
+      wanted = reaches(ballOf(lamps[i]), low_ndc, high_ndc, nearest_m, farthest_m);
+    }
+    if (wanted) atomicOr(masks[i / 32u], 1u << (i % 32u));
+  }
+  barrier();
+  uint tile = gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x;
+  if (thread < kLampWords) lamp_tiles[kLampWords * tile + thread] = masks[thread];
+}

@@ -1,0 +1,111 @@
+// SPDX-License-Identifier: MIT
+//
+// Binning lamps to tiles saves work and changes nothing else.
+#include "lab/render/light_tiles.h"
+
+#include <gtest/gtest.h>
+
+#include <cstring>
+#include <numeric>
+
+#include "lab/render/made_up_scene.h"
+#include "lab/scene/scattered_lamps.h"
+
+namespace reprise::lab {
+namespace {
+
+struct Lit {
+  FloatImage image;
+  double lamps_a_tile = 0.0;
+};
+
+Lit lit(Device& device, const std::string& run, VkExtent2D extent, const RepriseSamplePlan& asked,
+        uint32_t lamps, bool cull) {
+  SceneSourceOptions options = testOptions(extent);
+  options.switches.lamps = lamps;
+  options.switches.cull_lamps = cull;
+  SceneSource source(device, parseSceneRun(run), options);
+  SamplePlan plan;
+  plan.library = asked;
+  source.prepare(plan);
+  FrameInputs inputs;
+  device.submitAndWait([&](VkCommandBuffer commands) { inputs = source.frame(commands, 3, plan); });
+  const std::vector<uint32_t> counts = source.renderer().lightTiles().counts();
+  const double sum = std::accumulate(counts.begin(), counts.end(), 0.0);
+  return {download(device, *inputs.color), sum / std::max<double>(1.0, counts.size())};
+}
+
+double differing(const FloatImage& a, const FloatImage& b) {
+  size_t count = 0;
+  for (size_t i = 0; i < a.texelCount(); ++i) {
+    count += std::memcmp(&a.texels[4 * i], &b.texels[4 * i], 3 * sizeof(float)) != 0 ? 1 : 0;
+  }
+  return static_cast<double>(count) / static_cast<double>(a.texelCount());
+}
+
+class LightTilesTest : public DeviceTest {};
+
+TEST_F(LightTilesTest, TilesShowWhatEveryLampShows) {
+  constexpr VkExtent2D kExtent{149, 83};
+  for (const char* run : {"lights/dolly", "hangar/fly"}) {
+    for (const auto& [size, half] : {std::pair(1u, 0u), {2u, 0u}, {4u, 0u}, {1u, 1u}}) {
+      // Of the second scene the rates alone that differ by more than a shader's name.
+      if (run[0] == 'h' && (size == 4 || half != 0)) continue;
+      SCOPED_TRACE(std::string(run) + ", size " + std::to_string(size) + ", half " +
+                   std::to_string(half));
+      RepriseSamplePlan plan{
+          .size = sizeof(plan), .jitter_px = {0.45f, -0.4f}, .coarse_size = size};
+      plan.coarse_origin_px[0] = size > 1 ? 1 : 0;
+      plan.checkerboard = half;
+      const Lit tiled = lit(device, run, kExtent, plan, kMaxLamps, true);
+      const Lit all = lit(device, run, kExtent, plan, kMaxLamps, false);
+      EXPECT_EQ(all.lamps_a_tile, static_cast<double>(kMaxLamps));
+      EXPECT_LT(tiled.lamps_a_tile, 0.5 * kMaxLamps);
+      EXPECT_GT(tiled.lamps_a_tile, 1.0);
+      // A pixel at its own sample lies within the bounds that its depth made. Coarse pixels are
+      // extrapolated along planes that a tile knows from depths alone.
+      EXPECT_LE(differing(tiled.image, all.image), size == 1 ? 0.0 : 0.002);
+    }
+  }
+}
+
+TEST_F(LightTilesTest, LampsLightTheScene) {
+  const RepriseSamplePlan plan{.size = sizeof(plan), .coarse_size = 1};
+  const auto mean = [&](uint32_t lamps) {
+    const FloatImage image = lit(device, "lights/still", {64, 36}, plan, lamps, true).image;
+    double sum = 0.0;
+    for (size_t i = 0; i < image.texelCount(); ++i) sum += image.texels[4 * i + 1];
+    return sum / static_cast<double>(image.texelCount());
+  };
+  const double none = mean(0);
+  const double some = mean(64);
+  EXPECT_GT(some, 1.1 * none);
+  EXPECT_GT(mean(512), 1.5 * some);
+}
+
+TEST_F(LightTilesTest, SmallFramesHaveTiles) {
+  const RepriseSamplePlan plan{.size = sizeof(plan), .coarse_size = 1};
+  for (const VkExtent2D extent : {VkExtent2D{1, 1}, VkExtent2D{17, 1}, VkExtent2D{16, 33}}) {
+    const Lit tiled = lit(device, "lights/still", extent, plan, 100, true);
+    const Lit all = lit(device, "lights/still", extent, plan, 100, false);
+    EXPECT_EQ(differing(tiled.image, all.image), 0.0);
+  }
+}
+
+TEST(ScatteredLamps, AreTheSameForEveryNumber) {
+  const std::unique_ptr<Scene> scene = parseSceneRun("lights/still").scene->create();
+  const std::vector<GpuLamp> many = scatteredLamps(*scene, kMaxLamps);
+  const std::vector<GpuLamp> few = scatteredLamps(*scene, 32);
+  ASSERT_EQ(many.size(), kMaxLamps);
+  ASSERT_EQ(few.size(), 32u);
+  EXPECT_EQ(std::memcmp(many.data(), few.data(), few.size() * sizeof(GpuLamp)), 0);
+  for (const GpuLamp& lamp : many) {
+    EXPECT_GT(lamp.position_range.w, 0.0f);
+    EXPECT_NEAR(glm::length(glm::vec3(lamp.direction_outer)), 1.0f, 1e-5f);
+    EXPECT_LT(lamp.direction_outer.w, lamp.color_inner.w);
+  }
+  EXPECT_TRUE(scatteredLamps(*scene, 0).empty());
+}
+
+}  // namespace
+}  // namespace reprise::lab

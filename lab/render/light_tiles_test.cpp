@@ -84,7 +84,7 @@ TEST_F(LightTilesTest, LampsLightTheScene) {
   const RepriseSamplePlan plan{.size = sizeof(plan), .coarse_size = 1};
   const auto mean = [&](uint32_t lamps) {
     const FloatImage image =
-        LitScene(device, "brick/still", {64, 36}, lamps, true).frame(plan).image;
+        LitScene(device, "lights/still", {64, 36}, lamps, true).frame(plan).image;
     double sum = 0.0;
     for (size_t i = 0; i < image.texelCount(); ++i) sum += image.texels[4 * i + 1];
     return sum / static_cast<double>(image.texelCount());

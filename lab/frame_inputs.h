@@ -23,6 +23,7 @@ class Image;       // lab/vk/image.h; every image of the lab stays in VK_IMAGE_L
 struct FrameInputs {
   uint32_t index = 0;  // within the sequence, from 0
   VkExtent2D extent{};
+  VkExtent2D output_extent{};            // {0, 0}: as RepriseFrame
   const Image* color = nullptr;          // live frames: RGBA16F
   const Image* depth = nullptr;          // live frames: D32
   const Image* motion = nullptr;         // live frames: RG32F, pixels: prev_px = px + motion

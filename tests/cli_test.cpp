@@ -168,6 +168,27 @@ TEST_F(Cli, FilterKeepsTheFilesAndResumes) {
   EXPECT_EQ(reprise("filter cap -t taa:alpha=0.5 -o out --resume").code, 2);
 }
 
+TEST_F(Cli, ScaleMakesLargerFramesOfColourAlone) {
+  renderSmall();
+  ASSERT_EQ(reprise("filter cap -o out --scale 1.5 --frames 2 --png --quiet").code, 0);
+  const ExrImage in = readExr(directory.path() / "cap/frame_0002.exr");
+  const ExrImage out = readExr(directory.path() / "out/frame_0002.exr");
+  EXPECT_EQ(out.width, in.width * 3 / 2);
+  EXPECT_EQ(out.height, in.height * 3 / 2);
+  ASSERT_EQ(out.channels.size(), 3u);
+  EXPECT_NE(out.find("color.G"), nullptr);
+  EXPECT_EQ(reprise("filter cap -t taa -o out2 --scale 2").code, 2);
+  EXPECT_EQ(reprise("filter cap -o out2 --scale 0.5").code, 2);
+  EXPECT_EQ(reprise("compare cap -t reprise -o out2 --scale 2").code, 2);
+  const Ran ran = reprise(
+      "compare brick/pan -t none,reprise --scale 2 --size 64x36 --frames 2 --samples 2 -o out3 "
+      "--json");
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  const auto runs = nlohmann::json::parse(ran.out)["runs"];
+  EXPECT_FALSE(runs[0]["settings"].contains("input"));
+  EXPECT_EQ(runs[1]["settings"]["input"], "32x18");
+}
+
 TEST_F(Cli, FilterGuessesWithoutDescriptionAndSaysSo) {
   renderSmall();
   std::filesystem::remove(directory.path() / "cap/capture.json");

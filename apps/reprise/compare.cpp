@@ -34,6 +34,10 @@ struct CompareFlags {
   std::filesystem::path cvvdp_table;
 };
 
+bool upsamples(const lab::TechniqueChoice& choice) {
+  return choice.grid <= 1 && (choice.library->flags & REPRISE_TECHNIQUE_UPSAMPLES) != 0;
+}
+
 nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value) {
   switch (info.type) {
     case REPRISE_SETTING_CHOICE:
@@ -64,10 +68,10 @@ lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) 
   return cost;
 }
 
-lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
+lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source, VkExtent2D output_extent,
                           const lab::TechniqueChoice& choice, const lab::SequenceTruth& truth,
                           lab::MeterOptions options, CompareOutput& output, bool quiet) {
-  lab::Resolver resolver(device, choice, source.info());
+  lab::Resolver resolver(device, choice, source.info(), output_extent);
   const std::string& name = source.info().name;
   lab::SequenceRun run;
   {
@@ -76,8 +80,12 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source,
                            true, [&](const lab::FrameDone&) { progress.step(); });
   }
   lab::RunResult result;
+  const VkExtent2D input = source.info().extent;
   result.source = name;
   result.technique = choice.label;
+  if (input.width != output_extent.width || input.height != output_extent.height) {
+    result.settings.emplace_back("input", fmt::format("{}x{}", input.width, input.height));
+  }
   if (choice.grid > 1) result.settings.emplace_back("n", choice.grid);
   for (const auto& [info, value] : resolver.settings()) {
     result.settings.emplace_back(info->name, settingJson(*info, value));
@@ -147,16 +155,33 @@ int compare(const Globals& globals, const CompareFlags& flags) {
       results.extent[1] = info.extent.height;
     }
     const uint32_t frames = std::min(flags.scene_flags.frames, info.frame_count);
+    // Techniques that upsample get a smaller scene; the reference is everyone's.
+    std::unique_ptr<lab::FrameSource> small;
+    if (flags.scene_flags.scale > 1.0) {
+      if (!lab::namesScene(text)) {
+        throw lab::UsageError("--scale renders scenes smaller; '" + text +
+                              "' is a capture: see filter --scale");
+      }
+      SceneFlags smaller = flags.scene_flags;
+      smaller.extent = scaledExtent(info.extent, 1.0 / smaller.scale);
+      smaller.view_extent = info.extent;
+      small = openSource(*device, text, smaller, layout);
+    }
+    const auto sourceOf = [&](const lab::TechniqueChoice& choice) -> lab::FrameSource& {
+      return small != nullptr && upsamples(choice) ? *small : *source;
+    };
     // Fails for techniques that cannot work on this source before anything long begins.
-    for (const lab::TechniqueChoice& choice : choices) lab::Resolver(*device, choice, info);
+    for (const lab::TechniqueChoice& choice : choices) {
+      lab::Resolver(*device, choice, sourceOf(choice).info(), info.extent);
+    }
     const lab::SequenceTruth truth = readTruth(*source, frames, globals.quiet);
     lab::onWorkers(truth.frames.size(), [&](size_t i) {
       output.addImage(info.name, "reference", static_cast<uint32_t>(i),
                       lab::displayImage(truth.frames[i].reference));
     });
     for (const lab::TechniqueChoice& choice : choices) {
-      results.runs.push_back(
-          compareOne(*device, *source, choice, truth, options, output, globals.quiet));
+      results.runs.push_back(compareOne(*device, sourceOf(choice), info.extent, choice, truth,
+                                        options, output, globals.quiet));
     }
     reportCapture(*source, true);
     code = std::max<int>(code, validationResult(*device));
@@ -191,6 +216,11 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
       ->required();
   verb->add_option("-o,--output", flags->directory, "directory of the results")->required();
   flags->scene_flags.addTo(*verb, true);
+  verb->add_option("--scale", flags->scene_flags.scale,
+                   "scenes: techniques that upsample get frames this much smaller a side than "
+                   "--size; the others get it whole")
+      ->check(CLI::Range(1.0, 4.0))
+      ->capture_default_str();
   verb->add_option("--metrics", flags->metrics,
                    "figures to measure, separated by commas: default, all, or names of "
                    "docs/metrics.md; cvvdp is not in default")

@@ -27,6 +27,7 @@ struct FilterFlags {
   std::filesystem::path directory;
   std::string technique = "reprise";
   std::string layout = "auto";
+  double scale = 1.0;
   uint32_t frames = 0;  // 0: all
   bool png = false;
   std::filesystem::path video;
@@ -35,10 +36,20 @@ struct FilterFlags {
 
 // The input's file with its colour replaced: every other layer and all metadata stay.
 void writeFiltered(const std::filesystem::path& path, const lab::CaptureSource& source,
-                   const lab::FloatImage& image) {
+                   const lab::FloatImage& image, bool larger) {
   lab::ExrImage file = source.current().file;
   const std::span<const float> texels(image.texels);
   const std::string& layer = source.description().color_layer;
+  if (larger) {
+    // Other layers have the input's extent, and a file has one.
+    std::erase_if(file.channels, [&](const lab::ExrChannel& channel) {
+      const std::string prefix = layer.empty() ? "" : layer + ".";
+      return channel.name != prefix + "R" && channel.name != prefix + "G" &&
+             channel.name != prefix + "B";
+    });
+    file.width = image.width;
+    file.height = image.height;
+  }
   for (size_t c = 0; c < 3; ++c) {
     const std::string name = (layer.empty() ? "" : layer + ".") + "RGB"[c];
     lab::ExrChannel* channel = file.find(name);
@@ -79,15 +90,22 @@ void claimDirectory(const FilterFlags& flags, const nlohmann::ordered_json& made
 
 int filter(const Globals& globals, const FilterFlags& flags) {
   const lab::TechniqueChoice choice = lab::parseTechnique(flags.technique);
+  if (flags.scale > 1.0 && (choice.library->flags & REPRISE_TECHNIQUE_UPSAMPLES) == 0) {
+    throw lab::UsageError("--scale: technique '" + choice.name + "' cannot upsample");
+  }
   const auto device = openDevice(globals);
   const auto layout = static_cast<lab::CaptureLayout>(
       std::find(lab::kCaptureLayouts.begin(), lab::kCaptureLayouts.end(), flags.layout) -
       lab::kCaptureLayouts.begin());
   lab::CaptureSource source(*device, flags.capture, layout);
   reportCapture(source, false);
-  lab::Resolver resolver(*device, choice, source.info());
+  const VkExtent2D input = source.info().extent;
+  const VkExtent2D extent = parseExtent(scaledExtent(input, flags.scale));
+  const bool larger = extent.width != input.width || extent.height != input.height;
+  lab::Resolver resolver(*device, choice, source.info(), extent);
   nlohmann::ordered_json made_by{{"reprise", repriseGetVersion()},
                                  {"technique", choice.label},
+                                 {"extent", {extent.width, extent.height}},
                                  {"capture", std::filesystem::absolute(flags.capture).string()}};
   claimDirectory(flags, made_by);
 
@@ -95,8 +113,7 @@ int filter(const Globals& globals, const FilterFlags& flags) {
   const uint32_t frames = flags.frames == 0 ? all : std::min(flags.frames, all);
   std::optional<lab::Video> video;
   if (!flags.video.empty()) {
-    video.emplace(flags.video, source.info().extent.width, source.info().extent.height,
-                  source.info().frame_rate);
+    video.emplace(flags.video, extent.width, extent.height, source.info().frame_rate);
   }
   uint32_t kept = 0;
   const auto begin = std::chrono::steady_clock::now();
@@ -111,7 +128,7 @@ int filter(const Globals& globals, const FilterFlags& flags) {
           if (flags.resume && isWhole(path)) {
             ++kept;
           } else {
-            writeFiltered(path, source, done.image);
+            writeFiltered(path, source, done.image, larger);
           }
           if (flags.png || video.has_value()) {
             const lab::FloatImage display = lab::displayImage(done.image);
@@ -158,6 +175,11 @@ void addFilter(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_option("-o,--output", flags->directory, "directory of the filtered frames")->required();
   verb->add_option("--layout", flags->layout, "channel names, where there is no capture.json")
       ->check(CLI::IsMember(lab::kCaptureLayouts))
+      ->capture_default_str();
+  verb->add_option("--scale", flags->scale,
+                   "output's extent over the input's, a side, for techniques that upsample; only "
+                   "colour is written then")
+      ->check(CLI::Range(1.0, 4.0))
       ->capture_default_str();
   verb->add_option("--frames", flags->frames, "only so many from the start; 0: all")
       ->capture_default_str();

@@ -5,7 +5,9 @@
 #include <spdlog/sinks/stdout_color_sinks.h>
 #include <spdlog/spdlog.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdio>
 
 #include "lab/run/technique_choice.h"
@@ -56,6 +58,11 @@ VkExtent2D parseExtent(const std::string& text) {
   }
   throw lab::UsageError(fmt::format(
       "'{}' is no extent: WIDTHxHEIGHT, each in [1, {}], such as 960x540", text, kMaxSide));
+}
+
+std::string scaledExtent(VkExtent2D extent, double scale) {
+  const auto scaled = [scale](uint32_t side) { return std::max(1l, std::lround(side * scale)); };
+  return fmt::format("{}x{}", scaled(extent.width), scaled(extent.height));
 }
 
 }  // namespace reprise::app

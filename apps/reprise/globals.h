@@ -42,5 +42,7 @@ ExitCode validationResult(const lab::Device& device);
 
 // "960x540"; throws UsageError.
 VkExtent2D parseExtent(const std::string& text);
+// "WIDTHxHEIGHT" of `extent` times `scale`, rounded, at least 1 a side.
+std::string scaledExtent(VkExtent2D extent, double scale);
 
 }  // namespace reprise::app

@@ -79,6 +79,7 @@ lab::SceneSourceOptions SceneFlags::options() const {
                                                                     : lab::TextureFilter::kAniso16;
   options.switches.shading_only = shading_only;
   options.switches.lamps = lamps;
+  options.switches.view_extent = view_extent;
   options.reference.samples = reference_samples;
   options.reference.filter =
       reference_filter == "box" ? lab::ReferenceFilter::kBox : lab::ReferenceFilter::kGaussian;

@@ -29,6 +29,10 @@ struct SceneFlags {
   uint32_t samples_a_pixel = 1;
   std::optional<uint32_t> lamps;
 
+  // Output's extent over the input's, a side: of techniques that upsample, in `compare` alone.
+  double scale = 1.0;
+  VkExtent2D view_extent{};  // of the output that a smaller scene is for
+
   void addTo(CLI::App& verb, bool with_reference);
   lab::SceneSourceOptions options() const;
 };

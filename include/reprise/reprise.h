@@ -278,6 +278,12 @@ typedef struct RepriseSamplePlan {
 RepriseResult repriseGetSamplePlan(RepriseContext context, uint64_t frame_index,
                                    RepriseSamplePlan* plan);
 
+// The same for a frame of other extents than the maximum ({0, 0}: as in RepriseFrame): the length
+// of the jitter and the mip bias follow the ratio of output to input.
+RepriseResult repriseGetSamplePlanAt(RepriseContext context, uint64_t frame_index,
+                                     VkExtent2D input_extent, VkExtent2D output_extent,
+                                     RepriseSamplePlan* plan);
+
 // -------------------------------------------------------------------------------------------------
 // Record
 
@@ -309,7 +315,8 @@ typedef struct RepriseFrame {
   RepriseImage id;      // optional: unsigned integer format, .r; history of another id is rejected
   RepriseImage output;  // storage image, any float or unorm format with STORAGE_IMAGE support
   VkExtent2D input_extent;  // the sub-rectangle at (0, 0) that holds this frame; {0,0}: the maximum
-  VkExtent2D output_extent;     // likewise
+  // Likewise; {0, 0}: the maximum, or input_extent where the maxima of input and output are equal.
+  VkExtent2D output_extent;
   float jitter_px[2];           // [-1, 1] the jitter the frame was rendered with
   float motion_scale[2];        // motion in px = texel * motion_scale; {1, 1} for pixels,
                                 // {w, h} for uv, {w/2, h/2} for Vulkan NDC; not 0

@@ -66,10 +66,12 @@ class OwnedContext {
     check(repriseGetSetting(context_, name, &value));
     return value;
   }
-  RepriseSamplePlan plan(uint64_t frame_index) const {
+  // Extents {0, 0}: the maximum.
+  RepriseSamplePlan plan(uint64_t frame_index, VkExtent2D input_extent = {},
+                         VkExtent2D output_extent = {}) const {
     RepriseSamplePlan plan{};
     plan.size = sizeof(plan);
-    check(repriseGetSamplePlan(context_, frame_index, &plan));
+    check(repriseGetSamplePlanAt(context_, frame_index, input_extent, output_extent, &plan));
     return plan;
   }
   void recordRequest(VkCommandBuffer commands, RepriseFrame frame) {

@@ -76,6 +76,7 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
       scene_(run.scene->create()),
       run_(run),
       extent_(extent),
+      view_extent_(switches.view_extent.width > 0 ? switches.view_extent : extent),
       frame_rate_(frame_rate),
       buffers_(device, *scene_, switches.texture_filter),
       shadow_map_(device, *scene_, buffers_),
@@ -151,8 +152,10 @@ void Renderer::createPrograms(Device& device) {
 }
 
 RepriseCamera Renderer::cameraAt(double time_s, float* near_plane) const {
-  const CameraPose pose = scene_->camera(run_.camera->name, run_.values, time_s, extent_.height);
-  const float aspect = static_cast<float>(extent_.width) / static_cast<float>(extent_.height);
+  const CameraPose pose =
+      scene_->camera(run_.camera->name, run_.values, time_s, view_extent_.height);
+  const float aspect =
+      static_cast<float>(view_extent_.width) / static_cast<float>(view_extent_.height);
   const glm::mat4 view = glm::lookAt(pose.eye_world, pose.target_world, pose.up_world);
   const glm::mat4 proj = projection(pose.vertical_fov, aspect, pose.near_plane);
   RepriseCamera camera{};
@@ -185,7 +188,8 @@ void Renderer::setFrame(double frame, float mip_bias) {
   }
   const double now_s = timeOf(frame);
   camera_ = cameraAt(now_s, &near_plane_);
-  const CameraPose pose = scene_->camera(run_.camera->name, run_.values, now_s, extent_.height);
+  const CameraPose pose =
+      scene_->camera(run_.camera->name, run_.values, now_s, view_extent_.height);
   data.eye_world = glm::vec4(pose.eye_world, 1.0f);
   const SceneLights lights = scene_->lights(now_s);
   data.light_count = std::min(static_cast<uint32_t>(lights.lights.size()), kMaxLights);

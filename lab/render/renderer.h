@@ -36,6 +36,9 @@ struct RenderSwitches {
   bool shading_only = false;
   std::optional<uint32_t> lamps;  // scattered over the scene, instead of its own number
   bool cull_lamps = true;         // false: every pixel loops over all of them
+  // Cameras see, and move by the pixels of, an image of this extent; {0, 0}: the one rendered. For
+  // frames that will be upsampled.
+  VkExtent2D view_extent{};
 };
 
 class Renderer {
@@ -142,6 +145,7 @@ class Renderer {
   std::unique_ptr<Scene> scene_;
   SceneRun run_;
   VkExtent2D extent_;
+  VkExtent2D view_extent_;
   double frame_rate_;
   RepriseCamera camera_{};
   float near_plane_ = 0.1f;

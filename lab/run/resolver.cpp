@@ -7,8 +7,8 @@ namespace {
 // The frames of a sequence are submitted one at a time and waited for.
 constexpr uint32_t kFramesInFlight = 1;
 
-OwnedContext createContext(Device& device, const TechniqueChoice& choice,
-                           const SourceInfo& source) {
+OwnedContext createContext(Device& device, const TechniqueChoice& choice, const SourceInfo& source,
+                           VkExtent2D output_extent) {
   if (choice.grid > 1 && !source.plan_is_honoured) {
     throw UsageError("technique '" + choice.name + "' works on scenes only: '" + source.name +
                      "' was sampled when it was written");
@@ -27,6 +27,7 @@ OwnedContext createContext(Device& device, const TechniqueChoice& choice,
   info.settings = values.data();
   info.setting_count = static_cast<uint32_t>(values.size());
   info.max_input_extent = source.extent;
+  info.max_output_extent = output_extent;
   info.frames_in_flight = kFramesInFlight;
   info.depth_kind = source.depth_kind;
   info.flags = source.context_flags;
@@ -42,11 +43,13 @@ RepriseImage asInput(const Image* image) {
 
 }  // namespace
 
-Resolver::Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source)
+Resolver::Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source,
+                   VkExtent2D output_extent)
     : device_(device),
       choice_(choice),
-      context_(createContext(device, choice, source)),
-      output_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = source.extent}),
+      context_(createContext(device, choice, source, output_extent)),
+      output_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT,
+                       .extent = output_extent.width > 0 ? output_extent : source.extent}),
       pass_names_(context_.passNames()) {}
 
 SamplePlan Resolver::plan(uint32_t frame_index, Timestamps* timestamps) {
@@ -77,6 +80,7 @@ RepriseFrame Resolver::frameOf(const FrameInputs& inputs, Timestamps* timestamps
   RepriseFrame frame{};
   frame.frame_index = inputs.index;
   frame.input_extent = inputs.extent;
+  frame.output_extent = inputs.output_extent;
   frame.color = asInput(inputs.color);
   frame.depth = asInput(inputs.depth);
   frame.motion = asInput(inputs.motion);

@@ -20,9 +20,10 @@ namespace reprise::lab {
 
 class Resolver {
  public:
-  // Throws UsageError when the technique cannot work on this source, ApiError when the library
-  // fails.
-  Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source);
+  // `output_extent` {0, 0}: the source's. Throws UsageError when the technique cannot work on this
+  // source, ApiError when the library fails.
+  Resolver(Device& device, const TechniqueChoice& choice, const SourceInfo& source,
+           VkExtent2D output_extent = {});
 
   const TechniqueChoice& choice() const { return choice_; }
   Device& device() const { return device_; }

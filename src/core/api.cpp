@@ -198,7 +198,17 @@ RepriseResult repriseGetSamplePlan(RepriseContext context, uint64_t frame_index,
   return guarded("repriseGetSamplePlan", context, [&] {
     require(plan != nullptr, "plan is null");
     require(plan->size == sizeof(RepriseSamplePlan), "plan.size must be sizeof(RepriseSamplePlan)");
-    context->plan(frame_index, *plan);
+    context->plan(frame_index, {}, {}, *plan);
+  });
+}
+
+RepriseResult repriseGetSamplePlanAt(RepriseContext context, uint64_t frame_index,
+                                     VkExtent2D input_extent, VkExtent2D output_extent,
+                                     RepriseSamplePlan* plan) {
+  return guarded("repriseGetSamplePlanAt", context, [&] {
+    require(plan != nullptr, "plan is null");
+    require(plan->size == sizeof(RepriseSamplePlan), "plan.size must be sizeof(RepriseSamplePlan)");
+    context->plan(frame_index, input_extent, output_extent, *plan);
   });
 }
 

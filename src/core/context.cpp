@@ -112,6 +112,10 @@ void Context::setExtents(VkExtent2D input, VkExtent2D output) {
     fail(REPRISE_ERROR_UNSUPPORTED, "technique '" + std::string(entry_.info->name) +
                                         "' cannot upsample: output extent must equal input extent");
   }
+  if (output.width < input.width || output.height < input.height) {
+    fail(REPRISE_ERROR_INVALID_ARGUMENT,
+         "max_output_extent must not be below max_input_extent, width or height");
+  }
   max_input_extent_ = input;
   max_output_extent_ = output;
 }
@@ -198,12 +202,12 @@ void Context::prepare() {
   needs_prepare_ = false;
 }
 
-void Context::plan(uint64_t frame_index, RepriseSamplePlan& plan) const {
+void Context::plan(uint64_t frame_index, VkExtent2D input, VkExtent2D output,
+                   RepriseSamplePlan& plan) const {
+  checkExtents(*entry_.info, max_input_extent_, max_output_extent_, input, output);
   const size_t size = plan.size;
   plan = {.size = size, .coarse_size = 1};
-  planner_->plan(
-      {frame_index, max_input_extent_, max_output_extent_, settings_, previous_.camera_moves},
-      plan);
+  planner_->plan({frame_index, input, output, settings_, previous_.camera_moves}, plan);
 }
 
 FrameState Context::frameState(const RepriseFrame& frame, bool shaded) const {
@@ -212,6 +216,7 @@ FrameState Context::frameState(const RepriseFrame& frame, bool shaded) const {
              state.input_extent, state.output_extent);
   state.has_history = !reset_pending_ && frame.reset == 0 && record_ > 0;
   state.record = record_;
+  state.previous_input_extent = state.has_history ? previous_.input_extent : state.input_extent;
   state.previous_output_extent = state.has_history ? previous_.output_extent : state.output_extent;
   state.jitter_px = eq::vec2(frame.jitter_px[0], frame.jitter_px[1]);
   state.previous_jitter_px = state.has_history ? previous_.jitter_px : state.jitter_px;
@@ -254,6 +259,7 @@ void Context::record(VkCommandBuffer commands, const RepriseFrame& frame) {
   prepared_.technique->record(recorder, state);
   request_recorded_ = false;
 
+  previous_.input_extent = state.input_extent;
   previous_.output_extent = state.output_extent;
   previous_.jitter_px = state.jitter_px;
   previous_.pre_exposure = frame.pre_exposure;

@@ -62,7 +62,9 @@ class Context {
   void resize(VkExtent2D max_input_extent, VkExtent2D max_output_extent);
   void prepare();
   void reset() { reset_pending_ = true; }
-  void plan(uint64_t frame_index, RepriseSamplePlan& plan) const;
+  // Extents {0, 0}: the maximum.
+  void plan(uint64_t frame_index, VkExtent2D input, VkExtent2D output,
+            RepriseSamplePlan& plan) const;
   void record(VkCommandBuffer commands, const RepriseFrame& frame);
   void recordRequest(VkCommandBuffer commands, const RepriseFrame& frame);
   void sampleRequests(RepriseSampleRequests& requests) const;
@@ -74,6 +76,7 @@ class Context {
  private:
   // What the next frame must know of this one.
   struct Previous {
+    VkExtent2D input_extent{};
     VkExtent2D output_extent{};
     eq::vec2 jitter_px{};
     bool camera_moves = false;  // against the frame before it
@@ -110,6 +113,10 @@ class Context {
   uint64_t record_ = 0;
   Previous previous_;
 };
+
+// Resolves {0, 0} and throws Error, in one line, where the technique cannot work on these extents.
+void checkExtents(const RepriseTechniqueInfo& technique, VkExtent2D max_input,
+                  VkExtent2D max_output, VkExtent2D& input, VkExtent2D& output);
 
 // Throws Error, in one line, when a frame breaks the contract of reprise.h. Not `shaded`: a
 // request, for which colour and output need not exist. `input` and `output` receive the extents

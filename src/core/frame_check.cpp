@@ -76,21 +76,33 @@ void checkCamera(const RepriseCamera& camera) {
 
 }  // namespace
 
-void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique,
-                RepriseDepthKind depth_kind, VkExtent2D max_input, VkExtent2D max_output,
-                bool shaded, VkExtent2D& input, VkExtent2D& output) {
-  require(frame.size == sizeof(RepriseFrame), "frame.size must be sizeof(RepriseFrame)");
-  input = resolvedExtent(frame.input_extent, max_input, "input_extent");
+void checkExtents(const RepriseTechniqueInfo& technique, VkExtent2D max_input,
+                  VkExtent2D max_output, VkExtent2D& input, VkExtent2D& output) {
+  const bool open_output = output.width == 0 && output.height == 0;
+  input = resolvedExtent(input, max_input, "input_extent");
+  output = resolvedExtent(output, max_output, "output_extent");
   const bool upsamples = (technique.flags & REPRISE_TECHNIQUE_UPSAMPLES) != 0;
+  const bool native = max_input.width == max_output.width && max_input.height == max_output.height;
   // Without upsampling an output extent that is left open follows the input's sub-rectangle.
-  const VkExtent2D open_output = upsamples ? max_output : input;
-  output = resolvedExtent(frame.output_extent, max_output, "output_extent");
-  if (frame.output_extent.width == 0 && frame.output_extent.height == 0) output = open_output;
+  if (open_output && (native || !upsamples)) output = input;
   if (!upsamples && (output.width != input.width || output.height != input.height)) {
     fail(REPRISE_ERROR_UNSUPPORTED, "technique '" + std::string(technique.name) +
                                         "' cannot upsample: output_extent " + text(output) +
                                         " must equal input_extent " + text(input));
   }
+  if (output.width < input.width || output.height < input.height) {
+    fail(REPRISE_ERROR_INVALID_ARGUMENT,
+         "output_extent " + text(output) + " must not be below input_extent " + text(input));
+  }
+}
+
+void checkFrame(const RepriseFrame& frame, const RepriseTechniqueInfo& technique,
+                RepriseDepthKind depth_kind, VkExtent2D max_input, VkExtent2D max_output,
+                bool shaded, VkExtent2D& input, VkExtent2D& output) {
+  require(frame.size == sizeof(RepriseFrame), "frame.size must be sizeof(RepriseFrame)");
+  input = frame.input_extent;
+  output = frame.output_extent;
+  checkExtents(technique, max_input, max_output, input, output);
   checkImage(frame.color, "color", shaded, input);
   checkImage(frame.depth, "depth", true, input);
   checkImage(frame.motion, "motion", true, input);

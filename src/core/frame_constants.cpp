@@ -27,7 +27,7 @@ FrameConstants frameConstants(const FrameState& state, VkExtent2D history_extent
   constants.jitter_px = state.jitter_px;
   constants.previous_jitter_px = state.previous_jitter_px;
   constants.extent_px = toVec2(state.input_extent);
-  constants.previous_extent_px = toVec2(state.previous_output_extent);
+  constants.previous_extent_px = toVec2(state.previous_input_extent);
   const vec2 history_px = toVec2(history_extent);
   constants.history_texel_uv = vec2(1.0f / history_px.x, 1.0f / history_px.y);
   constants.exposure_ratio = state.exposure_ratio;

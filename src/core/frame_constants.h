@@ -20,8 +20,8 @@ struct FrameConstants {
   vec2 motion_offset_px;             // added to it
   vec2 jitter_px;
   vec2 previous_jitter_px;
-  vec2 extent_px;           // of this frame's input and output
-  vec2 previous_extent_px;  // of the frame that wrote the history
+  vec2 extent_px;           // of this frame's input
+  vec2 previous_extent_px;  // likewise, of the frame that wrote the history
   vec2 history_texel_uv;    // 1 / extent of the history images
   float exposure_ratio;     // history colour * exposure_ratio has this frame's exposure
   float has_history;        // 0 or 1

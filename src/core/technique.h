@@ -85,6 +85,7 @@ struct FrameState {
   const Settings& settings;
   VkExtent2D input_extent;
   VkExtent2D output_extent;
+  VkExtent2D previous_input_extent;   // = input_extent when there is no history
   VkExtent2D previous_output_extent;  // = output_extent when there is no history
   bool has_history;  // false: the first record, after a reset or a change of images
   uint64_t record;   // counts records; the turn of history images

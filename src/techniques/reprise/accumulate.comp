@@ -166,5 +166,5 @@ void main() {
     vec3 stored = roundedToHalf(min(value, vec3(kMaxColor)), texel, k.frame.frame_number, true);
     imageStore(next_history_image, texel, vec4(stored, min(count + w, 2048.0)));
   }
-  imageStore(output_image, px, vec4(shown, 1.0));
+  if (k.upsamples < 0.5) imageStore(output_image, px, vec4(shown, 1.0));
 }

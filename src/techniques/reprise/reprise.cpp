@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: MIT
 #include "reprise/reprise.h"
 
+#include <algorithm>
 #include <cmath>
 // reprise.h first: the shared header is GLSL too and includes no Vulkan header.
 #include "core/centred_jitter.h"
@@ -24,7 +25,12 @@ constexpr uint32_t kLightShader[] = {
 constexpr uint32_t kAccumulateShader[] = {
 #include "accumulate.comp.inc"
 };
+constexpr uint32_t kOutputShader[] = {
+#include "output.comp.inc"
+};
 
+// Of R2's cycle, whatever the ratio: as the setting's own limit.
+constexpr double kMaxJitterLength = 1024.0;
 // History texels a pixel and axis.
 constexpr uint32_t kTexels = 2;
 // What a frame adds to the samples held by the four texels of a pixel, together.
@@ -37,8 +43,23 @@ VkExtent2D tileExtent(VkExtent2D pixels) {
           (pixels.height + kTileSize_px - 1) / kTileSize_px};
 }
 
+bool upsamples(const FrameState& state) {
+  return state.output_extent.width != state.input_extent.width ||
+         state.output_extent.height != state.input_extent.height;
+}
+
+// Output pixels an input pixel.
+double areaRatio(VkExtent2D input, VkExtent2D output) {
+  return static_cast<double>(output.width) * output.height /
+         (static_cast<double>(input.width) * input.height);
+}
+
 RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_extent) {
   const Settings& s = state.settings;
+  // Finer pixels of the output want narrower samples; as narrow as they are, too few would reach
+  // them: the geometric mean.
+  const auto width_px = static_cast<float>(
+      s.real(kSampleWidth) / std::pow(areaRatio(state.input_extent, state.output_extent), 0.25));
   RepriseConstants constants{};
   constants.frame = frameConstants(state, pixel_extent);
   float* weights[] = {&constants.texel_weights.x, &constants.texel_weights.y,
@@ -47,8 +68,7 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
     // The sample lies at -jitter from the pixel's centre, texels at a quarter pixel from it.
     const float dx_px = (i & 1 ? 0.25f : -0.25f) + state.jitter_px.x;
     const float dy_px = (i >> 1 ? 0.25f : -0.25f) + state.jitter_px.y;
-    *weights[i] =
-        eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), s.real(kSampleWidth));
+    *weights[i] = eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), width_px);
     *weights[i] = std::max(*weights[i], kSmallestWeight);
   }
   // Every sample counts as much as every other, wherever it lies: at rest their mean has no
@@ -62,6 +82,9 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.last_tile_uv =
       eq::vec2((static_cast<float>(used.width) - 0.5f) / static_cast<float>(tiles.width),
                (static_cast<float>(used.height) - 0.5f) / static_cast<float>(tiles.height));
+  constants.output_extent_px = eq::vec2(static_cast<float>(state.output_extent.width),
+                                        static_cast<float>(state.output_extent.height));
+  constants.upsamples = upsamples(state) ? 1.0f : 0.0f;
   constants.history = s.real(kHistory);
   constants.still_history = s.real(kStillHistory);
   constants.bound = s.real(kBound);
@@ -80,12 +103,16 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
 class RepriseTechnique final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
-    planCentredJitter(eq::kSequenceR2, request.frame_index, request.settings.choice(kJitterLength),
-                      plan);
+    // As many samples for each output pixel whatever the ratio; textures as sharp as the output.
+    const double ratio = areaRatio(request.input_extent, request.output_extent);
+    const double length = std::round(request.settings.choice(kJitterLength) * ratio);
+    planCentredJitter(eq::kSequenceR2, request.frame_index,
+                      static_cast<uint32_t>(std::clamp(length, 1.0, kMaxJitterLength)), plan);
+    plan.mip_bias = static_cast<float>(-0.5 * std::log2(ratio));
   }
 
   void declare(Declaration& d) override {
-    pixel_extent_ = d.max_output_extent;
+    pixel_extent_ = d.max_input_extent;
     const VkExtent2D fine = {pixel_extent_.width * kTexels, pixel_extent_.height * kTexels};
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, fine, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_UINT, pixel_extent_, 2);
@@ -124,6 +151,11 @@ class RepriseTechnique final : public Technique {
                              Binding::kStorage, Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
+    output_pass_ = d.pass({.name = "output",
+                           .spirv = kOutputShader,
+                           .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
+                           .constant_bytes = sizeof(RepriseConstants),
+                           .specialization = {}});
   }
 
   void record(Recorder& recorder, const FrameState& state) override {
@@ -174,6 +206,15 @@ class RepriseTechnique final : public Technique {
         .write(change.current(n))
         .write(state.frame.output.view)
         .constants(constants)
+        .dispatch(state.input_extent);
+    if (!upsamples(state)) {
+      recorder.pass(output_pass_).skip();
+      return;
+    }
+    recorder.pass(output_pass_)
+        .read(color.current(n))
+        .write(state.frame.output.view)
+        .constants(constants)
         .dispatch(state.output_extent);
   }
 
@@ -191,13 +232,15 @@ class RepriseTechnique final : public Technique {
   PassHandle tile_pass_ = 0;
   PassHandle light_pass_ = 0;
   PassHandle accumulate_pass_ = 0;
+  PassHandle output_pass_ = 0;
 };
 
 constexpr RepriseTechniqueInfo kInfo = {
     .name = "reprise",
     .summary = "Ours: history at twice the resolution, kept until evidence speaks against it",
     .source = "this project",
-    .flags = REPRISE_TECHNIQUE_USES_HISTORY | REPRISE_TECHNIQUE_USES_REACTIVE,
+    .flags = REPRISE_TECHNIQUE_UPSAMPLES | REPRISE_TECHNIQUE_USES_HISTORY |
+             REPRISE_TECHNIQUE_USES_REACTIVE,
     .settings = kSettings.data(),
     .setting_count = kSettingCount,
     .presets = nullptr,

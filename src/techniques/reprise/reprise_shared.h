@@ -25,7 +25,10 @@ struct RepriseConstants {
   vec4 texel_weights;  // of this frame's sample for the four texels of its pixel
   vec2 tile_uv;        // pixel to coordinate of the tile images
   vec2 last_tile_uv;   // coordinate of the last tile's centre
-  float history;       // samples a texel's mean goes on to in motion
+  vec2 output_extent_px;
+  float upsamples;  // 1: the output's extent is not the input's
+  float unused;
+  float history;  // samples a texel's mean goes on to in motion
   float still_history;
   float bound;           // half-size of the bound in standard deviations, without evidence
   float bound_changed;   // with full evidence
@@ -40,7 +43,7 @@ struct RepriseConstants {
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 80);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 96);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

@@ -156,6 +156,12 @@ void writeExr(const std::filesystem::path& path, const ExrImage& image) {
     if (header.hasTileDescription()) header.erase("tiles");
     if (header.hasType()) header.setType(Imf::SCANLINEIMAGE);
     header.erase("chunkCount");
+    const Imath::Box2i kept = header.dataWindow();
+    if (kept.max.x - kept.min.x + 1 != width || kept.max.y - kept.min.y + 1 != height) {
+      // Scaled: neither window means anything any more.
+      header.dataWindow() = Imath::Box2i({0, 0}, {width - 1, height - 1});
+      header.displayWindow() = header.dataWindow();
+    }
   }
   const Imath::Box2i window = header.dataWindow();
   header.channels() = Imf::ChannelList();

@@ -23,7 +23,7 @@ namespace {
 
 struct CompareFlags {
   std::vector<std::string> sources;
-  std::vector<std::string> techniques;
+  std::vector<std::string> techniques = {"none", "taa", "reprise"};
   std::filesystem::path directory;
   SceneFlags scene_flags;
   std::string layout = "auto";
@@ -213,7 +213,7 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_option(
           "-t,--techniques", flags->techniques,
           "techniques with settings, separated by spaces or commas: none,taa:alpha=0.05,ss:n=4")
-      ->required();
+      ->capture_default_str();
   verb->add_option("-o,--output", flags->directory, "directory of the results")->required();
   flags->scene_flags.addTo(*verb, true);
   verb->add_option("--scale", flags->scene_flags.scale,
@@ -243,7 +243,7 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
       ->check(CLI::Range(1u, 2048u))
       ->capture_default_str();
   verb->footer(
-      "Example: reprise compare brick/pan -t none,taa,ss:n=4 --size 480x270 --frames 32 -o "
+      "Example: reprise compare brick/pan -t none,reprise,ss:n=4 --size 480x270 --frames 32 -o "
       "/tmp/compare");
   verb->callback([&globals, &action, flags] {
     action = [&globals, flags] { return compare(globals, *flags); };

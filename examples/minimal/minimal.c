@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// The smallest host: a device, frames of a tilted edge sampled once a pixel, and Reprise's `taa`
-// that turns them into an antialiased image. Prints one row of it; exits 0 if the edge came out
-// smooth.
+// The smallest host: a device, frames of a tilted edge sampled once a pixel, and Reprise's
+// `reprise` that turns them into an antialiased image. Prints one row of it; exits 0 if the edge
+// came out smooth.
 #include <math.h>
 #include <stdio.h>
 #include <stdlib.h>
@@ -97,7 +97,7 @@ int main(void) {
   uint32_t one = 1;
   vkEnumeratePhysicalDevices(instance, &one, &gpu);
   RepriseRequirements requirements = {sizeof(requirements)};
-  CHECK(repriseGetRequirements("taa", instance, gpu, vkGetInstanceProcAddr, &requirements));
+  CHECK(repriseGetRequirements("reprise", instance, gpu, vkGetInstanceProcAddr, &requirements));
   float priority = 1.0f;
   VkDeviceQueueCreateInfo queue_info = {VK_STRUCTURE_TYPE_DEVICE_QUEUE_CREATE_INFO};
   queue_info.queueCount = 1;  // of family 0
@@ -145,7 +145,7 @@ int main(void) {
   info.physical_device = gpu;
   info.device = device;
   info.get_instance_proc_addr = vkGetInstanceProcAddr;
-  info.technique = "taa";
+  info.technique = "reprise";
   info.max_input_extent = (VkExtent2D){kWidth, kHeight};
   info.frames_in_flight = 1;
   info.depth_kind = REPRISE_DEPTH_PLANAR;

@@ -41,9 +41,6 @@ const float kNoiseMemory = 0.5;
 // The least noise, as a share of what the residuals' scatter over 3x3 says.
 const float kSpatialShare = 0.3;
 
-// Half-size of the bound where history is what a silhouette left: standard deviations.
-const float kBoundUncovered = 0.2;
-
 // Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
 const float kAloneSamples = 1.0;
 
@@ -135,7 +132,7 @@ void main() {
   }
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
-  half_size = mix(half_size, kBoundUncovered, block.uncovered);
+  half_size = mix(half_size, k.bound_uncovered, block.uncovered);
   float limit = still ? k.still_history : k.history;
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.

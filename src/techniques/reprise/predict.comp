@@ -72,7 +72,7 @@ void main() {
   vec4 c = k.frame.previous_depth_coefficients;
   float turned = dot(c.xy, sample_px) + c.z;
   float far_then = far * turned / max(1.0 - c.w * far, 1.0e-3);
-  bool keep = seen && farAge(lately) < kFarFrames && far_then < near[0];
+  bool keep = seen && farAge(lately) < uint(k.far_frames) && far_then < near[0];
   imageStore(next_depth_image, px,
              uvec4(keep ? packedDepths(surface, far_then, farAge(lately) + 1u)
                         : packedDepths(surface, near[0], 0u)));

@@ -31,9 +31,6 @@ int surfaceIndex(vec4 predicted) {
 float nearness(FrameConstants frame, sampler2D depth_image, ivec2 px, ivec2 last_px) {
   return 1.0 / viewDepth(frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);
 }
-// Frames that history's farthest depth is kept for after it was last seen.
-const uint kFarFrames = 12u;
-
 // History's depths as inverse view depths in halves: of the closest surface (the silhouettes' one),
 // and the farthest seen lately, whose last four bits give way to the frames since then.
 uint packedDepths(float near, float far, uint age) {

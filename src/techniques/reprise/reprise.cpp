@@ -94,6 +94,8 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.forget_changed = s.real(kForgetChanged);
   constants.sharpness = s.real(kSharpness);
   constants.depth_tolerance = s.real(kDepthTolerance);
+  constants.bound_uncovered = s.real(kBoundUncovered);
+  constants.far_frames = static_cast<float>(s.choice(kFarFrames));
   constants.doubt_light = s.real(kDoubtLight);
   constants.doubt_now = s.real(kDoubtNow);
   constants.doubt_mean = s.real(kDoubtMean);

@@ -31,6 +31,12 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "the same with full evidence", "Salvi 2016: 0.75 to 1.25"),
     numberSetting(kBoundStill, "bound_still", 8.0, 0.0, 1000.0, "standard deviations",
                   "the same at rest, without evidence", "as taa"),
+    numberSetting(kBoundUncovered, "bound_uncovered", 0.2, 0.0, 1000.0, "standard deviations",
+                  "the same where history may be what a silhouette left", "experiment: README.md"),
+    integerSetting(kFarFrames, "far_frames", 12, 0, 15, "frames",
+                   "how long what lay farthest at a pixel counts as seen there; keeps history "
+                   "between leaves and wires",
+                   "experiment: README.md"),
     numberSetting(kForgetClipped, "forget_clipped", 1.0, 0.0, 1.0, "",
                   "how much of its samples a fully clipped texel loses", "experiment: README.md"),
     numberSetting(kForgetChanged, "forget_changed", 1.0, 0.0, 1.0, "",

@@ -15,6 +15,8 @@ enum Setting : uint32_t {
   kBound,
   kBoundChanged,
   kBoundStill,
+  kBoundUncovered,
+  kFarFrames,
   kForgetClipped,
   kForgetChanged,
   kDoubtLight,

@@ -27,7 +27,7 @@ struct RepriseConstants {
   vec2 last_tile_uv;   // coordinate of the last tile's centre
   vec2 output_extent_px;
   float upsamples;  // 1: the output's extent is not the input's
-  float unused;
+  float bound_uncovered;
   float history;  // samples a texel's mean goes on to in motion
   float still_history;
   float bound;           // half-size of the bound in standard deviations, without evidence
@@ -40,10 +40,14 @@ struct RepriseConstants {
   float doubt_light;
   float doubt_now;
   float doubt_mean;
+  float far_frames;  // that history's farthest depth is kept for after it was last seen
+  float unused_0;
+  float unused_1;
+  float unused_2;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 96);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 112);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

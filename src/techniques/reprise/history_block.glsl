@@ -53,19 +53,29 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     block.weight[j] = 0.0;
   }
   ivec2 parity = ivec2(base) - 1 - 2 * first_px;  // 0 or 1
+  // A row serves both texels beside each other, and both rows of texels.
   for (int y = 0; y < 5; ++y) {
+    vec4 row[2] = vec4[2](vec4(0.0), vec4(0.0));
+    vec2 row_weight = vec2(0.0);
+    int texel_y = int(clamp(base.y + float(y) - 1.0, 0.0, last_texel.y));
     for (int x = 0; x < 5; ++x) {
-      vec4 value = texelFetch(history_image,
-                              ivec2(clamp(base + vec2(x, y) - 1.0, vec2(0.0), last_texel)), 0);
+      int texel_x = int(clamp(base.x + float(x) - 1.0, 0.0, last_texel.x));
+      vec4 value = texelFetch(history_image, ivec2(texel_x, texel_y), 0);
       float v = valid[((y + parity.y) >> 1) * 3 + ((x + parity.x) >> 1)];
-      for (int j = 0; j < 4; ++j) {
-        int tap_x = x - (j & 1);
-        int tap_y = y - (j >> 1);
-        if (tap_x < 0 || tap_x > 3 || tap_y < 0 || tap_y > 3) continue;
-        float w = wx[tap_x] * wy[tap_y] * v;
-        block.texel[j] += w * value;
-        block.weight[j] += w;
+      if (x < 4) {
+        row[0] += wx[x] * v * value;
+        row_weight.x += wx[x] * v;
       }
+      if (x > 0) {
+        row[1] += wx[x - 1] * v * value;
+        row_weight.y += wx[x - 1] * v;
+      }
+    }
+    for (int j = 0; j < 4; ++j) {
+      int tap_y = y - (j >> 1);
+      if (tap_y < 0 || tap_y > 3) continue;
+      block.texel[j] += wy[tap_y] * row[j & 1];
+      block.weight[j] += wy[tap_y] * row_weight[j & 1];
     }
   }
   for (int j = 0; j < 4; ++j) {

@@ -5,43 +5,28 @@ both cameras' paths, at other sizes. Prints the table of src/techniques/phlm/eff
 technique gets frames sampled as it asks; `ue4-taa` also those of phlm, which do not jitter in
 motion (the paper gave all methods one input). Captures are kept in the directory given (default:
 ./phlm-held-out); half an hour on two quiet cores."""
-import json
-import os
-import subprocess
-import sys
-import tempfile
+from captures import captureDirectory, captured, compared
 
-REPRISE = os.path.join(os.path.dirname(__file__), "..", "build", "bin", "reprise")
 SEQUENCES = [("foliage/walk:from=3", "320x180"), ("foliage/walk:from=8", "320x180"),
              ("hangar/fly:from=3", "320x180"), ("hangar/fly:from=7", "640x360")]
 COUNTS = ["--frames", "24", "--samples", "32"]
 ON_ITS_INPUT = ["none", "fxaa", "ue4-taa", "phlm", "phlm:storage=packed", "phlm:preset=paper"]
 
 
-def captured(directory, scene, size, plan):
-    name = "-".join([scene, size, plan]).replace("/", "-").replace(":", "-")
-    path = os.path.join(directory, name)
-    subprocess.run([REPRISE, "render", scene, "--plan", plan, "--reference", "-o", path, "--size",
-                    size, "--resume", *COUNTS], stdout=sys.stderr, check=True)
-    return path
-
-
-def compared(path, techniques):
-    with tempfile.TemporaryDirectory() as out:
-        command = [REPRISE, "compare", path, "-t", *techniques, "--report-mib", "1", "--quiet",
-                   "--json", "--metrics", "flicker,disocclusion,sharpness", "-o", out]
-        text = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-    return [run["mean"] for run in json.loads(text)["runs"]]
+def figures(directory, scene, size, plan, techniques):
+    path = captured(directory, "-".join([scene, size, plan]), scene, plan,
+                    ["--size", size, *COUNTS])
+    runs = compared(path, techniques, "flicker,disocclusion,sharpness")
+    return [runs[t]["mean"] for t in techniques]
 
 
 def main():
-    directory = sys.argv[1] if len(sys.argv) > 1 else "phlm-held-out"
-    os.makedirs(directory, exist_ok=True)
+    directory = captureDirectory("phlm-held-out")
     names = ["ue4-taa, its own jitter"] + ON_ITS_INPUT
     rows = [[] for _ in names]
     for scene, size in SEQUENCES:
-        own = compared(captured(directory, scene, size, "ue4-taa"), ["ue4-taa"])
-        same = compared(captured(directory, scene, size, "phlm:jitter=none"), ON_ITS_INPUT)
+        own = figures(directory, scene, size, "ue4-taa", ["ue4-taa"])
+        same = figures(directory, scene, size, "phlm:jitter=none", ON_ITS_INPUT)
         for row, m in zip(rows, own + same):
             row.append(f"{m['psnr']:.2f}, {m['flicker']:.5f}, {m['disoccluded']:.2f}, "
                        f"{m['sharpness']:.3f}")

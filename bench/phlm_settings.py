@@ -4,13 +4,8 @@
 input is worth: prints the tables of src/techniques/phlm/effects.md. Frames are rendered once, as
 captures kept in the directory given (default: ./phlm-captures); a quarter of an hour on two quiet
 cores, five minutes with captures and references there."""
-import json
-import os
-import subprocess
-import sys
-import tempfile
+import captures
 
-REPRISE = os.path.join(os.path.dirname(__file__), "..", "build", "bin", "reprise")
 SCENES = ["foliage/walk", "hangar/fly"]
 SIZE = ["--size", "480x270", "--frames", "24", "--samples", "32"]
 
@@ -39,29 +34,19 @@ STORAGE = ["storage=paper", "storage=symmetric", "storage=half", "storage=packed
 
 
 def captured(directory, scene, plan, switches=()):
-    name = "-".join([scene.replace("/", "-"), plan.replace(":", "-"), *switches]).replace("--", "")
-    path = os.path.join(directory, name)
-    if not os.path.exists(os.path.join(path, "capture.json")):
-        subprocess.run([REPRISE, "render", scene, "--plan", plan, "--reference", "-o", path, *SIZE,
-                        *switches], stdout=sys.stderr, check=True)
-    return path
+    return captures.captured(directory, "-".join([scene, plan, *switches]).replace("--", ""), scene,
+                             plan, [*SIZE, *switches])
 
 
 def compared(path, techniques):
-    with tempfile.TemporaryDirectory() as out:
-        command = [REPRISE, "compare", path, "-t", *techniques, "--report-mib", "1", "--quiet",
-                   "--json", "--metrics", "flicker,disocclusion,sharpness", "-o", out]
-        text = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-    return {run["technique"]: run["mean"] for run in json.loads(text)["runs"]}
+    runs = captures.compared(path, techniques, "flicker,disocclusion,sharpness")
+    return {technique: run["mean"] for technique, run in runs.items()}
 
 
 def atRest(scene, techniques):
-    with tempfile.TemporaryDirectory() as out:
-        command = [REPRISE, "compare", scene, "-t", *techniques, "--size", "320x180", "--frames",
-                   "64", "--samples", "64", "--report-mib", "1", "--quiet", "--json", "--metrics",
-                   "flicker", "-o", out]
-        text = subprocess.run(command, stdout=subprocess.PIPE, check=True).stdout
-    return {run["technique"]: run["frames"][-1]["psnr"] for run in json.loads(text)["runs"]}
+    runs = captures.compared(scene, techniques, "flicker", ["--size", "320x180", "--frames", "64",
+                                                            "--samples", "64"])
+    return {technique: run["frames"][-1]["psnr"] for technique, run in runs.items()}
 
 
 def absolute(figures):
@@ -85,8 +70,7 @@ def table(first, columns, lines):
 
 
 def main():
-    directory = sys.argv[1] if len(sys.argv) > 1 else "phlm-captures"
-    os.makedirs(directory, exist_ok=True)
+    directory = captures.captureDirectory("phlm-captures")
     plain = {scene: captured(directory, scene, "phlm:jitter=none") for scene in SCENES}
 
     techniques = ["phlm"] + ["phlm:" + e for e in EFFECTS]

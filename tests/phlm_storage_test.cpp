@@ -89,6 +89,20 @@ TEST_F(PhlmStorage, TightFormsLoseLessThanATenthOfADecibel) {
   }
 }
 
+// A device whose sampler filters no floats takes the other path.
+TEST_F(PhlmStorage, TexelsByHandAreTheSamplersMixture) {
+  const std::string rest = ",bilinear=shader";
+  for (const char* form : {"paper", "symmetric", "half"}) {
+    const std::string storage = std::string("storage=") + form;
+    const std::vector<FloatImage> sampled = filtered(storage);
+    EXPECT_LE(largestDifference(sampled, filtered(storage + rest)), 1e-3f) << form;
+    // The colour's own filter is in both.
+    EXPECT_GT(largestDifference(sampled, filtered(storage + rest + ",history_filter=bilinear")),
+              1e-2f)
+        << form;
+  }
+}
+
 // Whole pixels a frame: bilinear reads one model, and what remains is the prior, which is about
 // the origin, and rounding (0.08 dB). Variances bounded about 0 would cost 0.5 dB.
 class PhlmOrigin : public PhlmStorage {

@@ -45,13 +45,22 @@ vec4 between(sampler2D image, vec2 px, vec2 last_center_px) {
   return validHistory(image, px, last_center_px, vec4(1.0));
 }
 
-// Of which the colour or its variance is asked for. An intercept about 0 may be negative, and is
-// one with its slopes.
-vec4 colorBetween(sampler2D image, vec2 px, vec2 last_center_px) {
-  if (kHistoryFilter == kFilterCatmullRom && kHardwareBilinear != 0u && kAboutZero == 0u) {
-    return cubicHistory(image, px, k.frame.history_texel_uv, last_center_px, 0.5, false);
-  }
-  return between(image, px, last_center_px);
+// Intercepts and level, which the colour is made of, at one texel.
+vec4 colorTexel(ivec2 px) {
+  if (kStorage != kStoragePaper) return texelFetch(model_0, px, 0);
+  return vec4(texelFetch(model_0, px, 0).x, texelFetch(model_1, px, 0).x,
+              texelFetch(model_2, px, 0).x, texelFetch(model_3, px, 0).x);
+}
+
+vec4 sampledCubic(sampler2D image, vec2 px, vec2 last_center_px) {
+  return cubicHistory(image, px, k.frame.history_texel_uv, last_center_px, 0.5, false);
+}
+
+#include "techniques/phlm/cubic_color.glsl"
+
+// An intercept about 0 may be negative, and is one with its slopes.
+bool colorIsCubic() {
+  return kHistoryFilter == kFilterCatmullRom && kAboutZero == 0u;
 }
 
 // The paper's: one image a colour with its four coefficients, one a row of P.
@@ -63,14 +72,20 @@ LinearModel loadPaperModel(vec2 px, vec2 last_center_px) {
   vec4 p1 = between(model_4, px, last_center_px);
   vec4 p2 = between(model_5, px, last_center_px);
   vec4 p3 = between(model_6, px, last_center_px);
+  vec4 color = vec4(r.x, g.x, b.x, p0.x);
+  if (colorIsCubic()) {
+    color = kHardwareBilinear == 0u ? cubicColor(px, last_center_px)
+                                    : vec4(sampledCubic(model_0, px, last_center_px).x,
+                                           sampledCubic(model_1, px, last_center_px).x,
+                                           sampledCubic(model_2, px, last_center_px).x,
+                                           sampledCubic(model_3, px, last_center_px).x);
+  }
   LinearModel m;
-  m.intercept =
-      vec3(colorBetween(model_0, px, last_center_px).x, colorBetween(model_1, px, last_center_px).x,
-           colorBetween(model_2, px, last_center_px).x);
+  m.intercept = color.rgb;
+  m.level = color.a;
   m.slope_r = r.yzw;
   m.slope_g = g.yzw;
   m.slope_b = b.yzw;
-  m.level = colorBetween(model_3, px, last_center_px).x;
   m.cross = p0.yzw;
   m.spread = vec3(p1.y, p2.z, p3.w);
   m.spread_cross = vec3(p1.z, p1.w, p2.w);
@@ -91,7 +106,14 @@ void storePaperModel(ivec2 px, LinearModel m) {
 // each; the rest of P.
 LinearModel loadModel(vec2 px, vec2 last_center_px) {
   if (kStorage == kStoragePaper) return loadPaperModel(px, last_center_px);
-  vec4 level = colorBetween(model_0, px, last_center_px);
+  vec4 level;
+  if (!colorIsCubic()) {
+    level = between(model_0, px, last_center_px);
+  } else if (kHardwareBilinear != 0u) {
+    level = sampledCubic(model_0, px, last_center_px);
+  } else {
+    level = cubicColor(px, last_center_px);
+  }
   vec4 r = between(model_1, px, last_center_px);
   vec4 g = between(model_2, px, last_center_px);
   vec4 b = between(model_3, px, last_center_px);

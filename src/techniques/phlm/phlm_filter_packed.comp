@@ -32,29 +32,13 @@ LinearModel fetchedModel(ivec2 px) {
   return unpackedModel(texelFetch(model_0, px, 0), texelFetch(model_1, px, 0));
 }
 
-// Colour and level alone.
-vec4 fetchedColor(vec2 px, vec2 last_px) {
-  uvec2 bits = texelFetch(model_0, ivec2(clamp(px, vec2(0.0), last_px)), 0).xy;
+// Intercepts and level alone.
+vec4 colorTexel(ivec2 px) {
+  uvec2 bits = texelFetch(model_0, px, 0).xy;
   return vec4(unpackHalf2x16(bits.x), unpackHalf2x16(bits.y));
 }
 
-// cubicHistory without corners, on texels.
-vec4 cubicColor(vec2 base_px, vec2 f, vec2 last_px) {
-  vec4 wx = cubicWeights(f.x, 0.5);
-  vec4 wy = cubicWeights(f.y, 0.5);
-  vec4 sum = vec4(0.0);
-  float weight_sum = 0.0;
-  for (int y = 0; y < 4; ++y) {
-    for (int x = 0; x < 4; ++x) {
-      bool corner = (x == 0 || x == 3) && (y == 0 || y == 3);
-      float weight = wx[x] * wy[y];
-      if (corner || weight == 0.0) continue;
-      sum += weight * fetchedColor(base_px + vec2(x - 1, y - 1), last_px);
-      weight_sum += weight;
-    }
-  }
-  return max(sum / weight_sum, vec4(0.0));
-}
+#include "techniques/phlm/cubic_color.glsl"
 
 // Bilinear over what four texels hold: the bits themselves cannot be filtered. At rest the pixel's
 // own texel has all the weight, and the loop ends after it.
@@ -71,7 +55,7 @@ LinearModel loadModel(vec2 px, vec2 last_center_px) {
     sum = weightedSum(sum, fetchedModel(at_px), weight);
   }
   if (kHistoryFilter == kFilterCatmullRom) {
-    vec4 color = cubicColor(base_px, f, last_center_px - 0.5);
+    vec4 color = cubicColor(px, last_center_px);
     sum.intercept = color.rgb;
     sum.level = color.a;
   }

@@ -137,10 +137,11 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                    "where nothing moves the model is a running mean of up to this many; 0: it "
                    "learns as in motion",
                    "Iglesias-Guitian et al. 2016, section 5.2; Yang et al. 2009", kRebuild),
-    choiceSetting(kBilinear, "bilinear", 1, kBilinearNames,
-                  "models between pixels: four fetches and exact weights, or the sampler's where "
-                  "the device filters the format",
-                  "Iglesias-Guitian et al. 2016: hardware"),
+    choiceSetting(
+        kBilinear, "bilinear", 1, kBilinearNames,
+        "models between pixels: texel by texel with exact weights, or by the sampler where "
+        "the device filters the format",
+        "Iglesias-Guitian et al. 2016: hardware"),
 });
 const std::array<RepriseSettingInfo, kSettingCount> kSettings = kTable;
 

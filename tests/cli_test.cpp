@@ -67,6 +67,7 @@ TEST_F(Cli, WrongUsageIsTwo) {
       {"compare brick/pan -t taa -o x --samples 3 --size 64x36", "--samples must be even"},
       {"render brick/pan -o x --frames 0", "--frames"},
       {"render brick/pan --plan cps -o x --size 64x36", "a capture cannot say"},
+      {"render brick/pan --post -o x --size 64x36", "--post shows what --png writes"},
       {"compare brick/pan -t cps --spp 4 --size 16x9 --frames 1 --samples 2 --cache none -o x",
        "no coarse shading"},
       {"--device nonsense compare brick/pan -t taa -o x", ""},
@@ -270,6 +271,26 @@ TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
   EXPECT_EQ(reprise(compare + " --baseline missing.json").code, 3);
   const Ran json = reprise(compare + " --json");
   EXPECT_EQ(nlohmann::json::parse(json.out)["runs"].size(), 8u);
+}
+
+TEST_F(Cli, PostStandsBetweenTheTechniqueAndTheDisplay) {
+  const char* small = "chart/pan -t none --size 64x36 --frames 4 --samples 4 -o ";
+  ASSERT_EQ(reprise(std::string("compare --post ") + small + "with").code, 0);
+  ASSERT_EQ(reprise(std::string("compare ") + small + "without").code, 0);
+  const auto with = nlohmann::json::parse(readWholeFile(directory.path() / "with/results.json"));
+  const auto without =
+      nlohmann::json::parse(readWholeFile(directory.path() / "without/results.json"));
+  EXPECT_FALSE(with["post"].get<std::string>().empty());
+  EXPECT_FALSE(without.contains("post"));
+  const auto& run = with["runs"][0];
+  EXPECT_EQ(run["cost"]["gpu_ms"]["post"].size(), 4u);
+  EXPECT_NE(run["mean"]["psnr"], without["runs"][0]["mean"]["psnr"]);
+  ASSERT_EQ(reprise("render chart/pan --size 64x36 --frames 2 --png --post -o shown").code, 0);
+  ASSERT_EQ(reprise("render chart/pan --size 64x36 --frames 2 --png -o plain").code, 0);
+  EXPECT_EQ(readWholeFile(directory.path() / "shown/frame_0002.exr"),
+            readWholeFile(directory.path() / "plain/frame_0002.exr"));
+  EXPECT_NE(readWholeFile(directory.path() / "shown/frame_0002.png"),
+            readWholeFile(directory.path() / "plain/frame_0002.png"));
 }
 
 TEST_F(Cli, MetricsAreChosenAndAMissingTableIsOneLine) {

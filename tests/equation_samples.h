@@ -8,7 +8,9 @@
 #include "equations/amortized.h"
 #include "equations/clipping.h"
 #include "equations/color_space.h"
+#include "equations/even_pyramid.h"
 #include "equations/evidence.h"
+#include "equations/exposure.h"
 #include "equations/filters.h"
 #include "equations/fxaa.h"
 #include "equations/hash.h"
@@ -20,7 +22,7 @@
 
 EQ_BEGIN
 
-EQ_CONST uint kEquationCount = 80u;
+EQ_CONST uint kEquationCount = 84u;
 
 EQ_FN vec4 wide2(vec2 v) {
   return vec4(v.x, v.y, 0.0f, 0.0f);
@@ -185,6 +187,15 @@ EQ_FN vec4 evidenceSample(uint which, uint s) {
   return wide1(believedShare(0.1f + drawn(s, 1u), drawn(s, 2u), 3.0f * drawn(s, 3u)));
 }
 
+EQ_FN vec4 exposureSample(uint which, uint s) {
+  if (which == 0u) return wide1(logLuminance(drawn3(s, 1u)));
+  if (which == 1u) {
+    return wide1(adaptedLuminance(drawn(s, 1u), drawn(s, 2u), 0.1f * drawn(s, 3u), 0.4f));
+  }
+  if (which == 2u) return wide1(exposureFor(0.01f + drawn(s, 1u)));
+  return wide2(vec2(evenPyramidWeight(int(s & 3u)), float(evenPyramidFarTexel(int(s)))));
+}
+
 // Equation `which` in [0, kEquationCount) on arguments of `seed`.
 EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 10u) return filterSample(which, seed);
@@ -196,7 +207,8 @@ EQ_FN vec4 equationSample(uint which, uint seed) {
   if (which < 66u) return amortizedSample(which - 60u, seed);
   if (which < 70u) return fxaaSample(which - 66u, seed);
   if (which < 78u) return leastSquaresSample(which - 70u, seed);
-  return evidenceSample(which - 78u, seed);
+  if (which < 80u) return evidenceSample(which - 78u, seed);
+  return exposureSample(which - 80u, seed);
 }
 
 EQ_END

@@ -11,6 +11,7 @@
 #include "lab/capture/output_file.h"
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/workers.h"
+#include "lab/post/show_sequence.h"
 #include "lab/report/results_table.h"
 #include "lab/run/progress.h"
 #include "lab/run/read_truth.h"
@@ -32,6 +33,7 @@ struct CompareFlags {
   uint32_t report_mib = 48;
   std::string metrics = "default";
   std::filesystem::path cvvdp_table;
+  bool post = false;
 };
 
 bool upsamples(const lab::TechniqueChoice& choice) {
@@ -51,15 +53,38 @@ nlohmann::ordered_json settingJson(const RepriseSettingInfo& info, double value)
   }
 }
 
-lab::SequenceTruth readTruth(lab::FrameSource& source, uint32_t frames, bool quiet) {
-  lab::Progress progress("reference of " + source.info().name, frames, quiet);
-  return lab::readTruth(source, frames, [&] { progress.step(); });
+// Every picture, the reference's and each technique's, goes through the same chain from its start.
+lab::PassTimes throughPost(lab::Device& device, const std::vector<lab::FloatImage*>& pictures,
+                           const lab::SequenceTruth& truth) {
+  lab::PassTimes times;
+  lab::showSequence(
+      device, pictures, truth.frame_rate, [&](size_t i) { return truth.frames[i].reset; }, {},
+      [&](size_t i, const auto& spans) { times.add(i, spans); });
+  return times;
+}
+
+lab::SequenceTruth readTruth(lab::Device& device, lab::FrameSource& source, uint32_t frames,
+                             bool post, bool quiet) {
+  lab::SequenceTruth truth;
+  {
+    lab::Progress progress("reference of " + source.info().name, frames, quiet);
+    truth = lab::readTruth(source, frames, [&] { progress.step(); });
+  }
+  if (post) {
+    std::vector<lab::FloatImage*> references;
+    for (lab::FrameTruth& frame : truth.frames) references.push_back(&frame.reference);
+    throughPost(device, references, truth);
+  }
+  return truth;
+}
+
+size_t firstCounted(size_t frames) {
+  return frames > lab::kWarmUpFrames ? lab::kWarmUpFrames : 0;
 }
 
 lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) {
   lab::RunCost cost;
-  const size_t frames = run.images.size();
-  const size_t first = frames > lab::kWarmUpFrames ? lab::kWarmUpFrames : 0;
+  const size_t first = firstCounted(run.images.size());
   cost.passes_ms = run.resolve_times.medians(first);
   cost.render_ms = run.render_times.medians(first);
   for (const auto& [name, ms] : cost.passes_ms) cost.median_ms += ms;
@@ -70,7 +95,7 @@ lab::RunCost costOf(const lab::SequenceRun& run, const lab::Resolver& resolver) 
 
 lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source, VkExtent2D output_extent,
                           const lab::TechniqueChoice& choice, const lab::SequenceTruth& truth,
-                          lab::MeterOptions options, CompareOutput& output, bool quiet) {
+                          lab::MeterOptions options, CompareOutput& output, bool post, bool quiet) {
   lab::Resolver resolver(device, choice, source.info(), output_extent);
   const std::string& name = source.info().name;
   lab::SequenceRun run;
@@ -92,6 +117,12 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source, VkExten
   }
   result.reference_samples = source.info().reference_samples;
   result.reference_filter = source.info().reference_filter;
+  result.cost = costOf(run, resolver);
+  if (post) {
+    std::vector<lab::FloatImage*> images;
+    for (lab::FloatImage& image : run.images) images.push_back(&image);
+    result.cost.post_ms = throughPost(device, images, truth).medians(firstCounted(images.size()));
+  }
   lab::onWorkers(run.images.size(), [&](size_t i) {
     output.addImage(name, choice.label, static_cast<uint32_t>(i), lab::displayImage(run.images[i]));
   });
@@ -99,7 +130,6 @@ lab::RunResult compareOne(lab::Device& device, lab::FrameSource& source, VkExten
     output.addError(name, choice.label, static_cast<uint32_t>(frame), error);
   };
   result.figures = lab::measureSequence(truth, run.images, options);
-  result.cost = costOf(run, resolver);
   return result;
 }
 
@@ -141,6 +171,7 @@ int compare(const Globals& globals, const CompareFlags& flags) {
   CompareOutput output(flags.directory, uint64_t{flags.report_mib} << 20);
   lab::Results results;
   results.command = globals.command;
+  if (flags.post) results.post = "luminance adaptation, bloom, exposure";
   int code = kDone;
   for (const std::string& text : flags.sources) {
     // Each source has a device of its own: after a scene's raster passes lavapipe 22.3 defers the
@@ -174,14 +205,14 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     for (const lab::TechniqueChoice& choice : choices) {
       lab::Resolver(*device, choice, sourceOf(choice).info(), info.extent);
     }
-    const lab::SequenceTruth truth = readTruth(*source, frames, globals.quiet);
+    const lab::SequenceTruth truth = readTruth(*device, *source, frames, flags.post, globals.quiet);
     lab::onWorkers(truth.frames.size(), [&](size_t i) {
       output.addImage(info.name, "reference", static_cast<uint32_t>(i),
                       lab::displayImage(truth.frames[i].reference));
     });
     for (const lab::TechniqueChoice& choice : choices) {
       results.runs.push_back(compareOne(*device, sourceOf(choice), info.extent, choice, truth,
-                                        options, output, globals.quiet));
+                                        options, output, flags.post, globals.quiet));
     }
     reportCapture(*source, true);
     code = std::max<int>(code, validationResult(*device));
@@ -228,6 +259,9 @@ void addCompare(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_option("--cvvdp-table", flags->cvvdp_table,
                    "csf_lut_weber_fixed_size.json of ColorVideoVDP; by default below "
                    "REPRISE_DATA/cvvdp");
+  verb->add_flag("--post", flags->post,
+                 "measure what is seen behind a renderer's post chain (luminance adaptation, "
+                 "bloom, exposure, tone curve), the reference behind the same one");
   verb->add_option("--layout", flags->layout, "channel names of captures without capture.json")
       ->check(CLI::IsMember(lab::kCaptureLayouts))
       ->capture_default_str();

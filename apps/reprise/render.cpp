@@ -4,10 +4,12 @@
 
 #include <filesystem>
 #include <memory>
+#include <optional>
 
 #include "lab/capture/capture_writer.h"
 #include "lab/capture/png_file.h"
 #include "lab/metrics/display_space.h"
+#include "lab/post/post_chain.h"
 #include "lab/run/interrupt.h"
 #include "lab/run/pass_times.h"
 #include "lab/run/progress.h"
@@ -25,6 +27,7 @@ struct RenderFlags {
   SceneFlags scene_flags;
   bool with_reference = false;
   bool png = false;
+  bool post = false;
   bool resume = false;
 };
 
@@ -45,7 +48,37 @@ std::string splitText(const lab::PassTimes& times, uint32_t frames, double evalu
   return text;
 }
 
+// What --png writes: the frame by the tone curve alone, or behind the post chain.
+class PngFrames {
+ public:
+  PngFrames(lab::Device& device, const RenderFlags& flags, VkExtent2D extent)
+      : device_(device), directory_(flags.directory) {
+    if (flags.post) chain_.emplace(device, extent);
+  }
+
+  void write(const lab::FrameInputs& inputs) const {
+    lab::FloatImage image = lab::download(device_, chain_ ? chain_->shown() : *inputs.color);
+    lab::writePng(directory_ / fmt::format("frame_{:04}.png", inputs.index + 1),
+                  chain_ ? image : lab::displayImage(image));
+  }
+  void record(VkCommandBuffer commands, const lab::FrameInputs& inputs,
+              lab::Timestamps& timestamps) const {
+    if (!chain_) return;
+    lab::fullBarrier(commands);
+    chain_->record(commands, *inputs.color, inputs.frame_time_s, inputs.index == 0 || inputs.reset,
+                   &timestamps);
+  }
+
+ private:
+  lab::Device& device_;
+  std::filesystem::path directory_;
+  std::optional<lab::PostChain> chain_;
+};
+
 int render(const Globals& globals, const RenderFlags& flags) {
+  if (flags.post && !flags.png) {
+    throw lab::UsageError("--post shows what --png writes; EXR files hold the scene's own light");
+  }
   if (!lab::namesScene(flags.scene)) {
     throw lab::UsageError("'" + flags.scene + "' is no scene (see 'reprise list')");
   }
@@ -63,6 +96,7 @@ int render(const Globals& globals, const RenderFlags& flags) {
   if (!flags.with_reference) described.reference_samples = 0;
   lab::CaptureWriter writer(flags.directory, described, plan.label, flags.resume);
 
+  const PngFrames pngs(*device, flags, source->info().extent);
   lab::Timestamps timestamps(*device, kMaxSpans);
   source->setTimestamps(&timestamps);
   lab::PassTimes times;
@@ -78,15 +112,13 @@ int render(const Globals& globals, const RenderFlags& flags) {
       device->submitAndWait([&](VkCommandBuffer commands) {
         timestamps.begin(commands);
         inputs = source->frame(commands, index, sampling);
+        pngs.record(commands, inputs, timestamps);
       });
       times.add(index, timestamps.milliseconds());
       evaluations += source->takeEvaluations();
       // The reference renders into the images of the frame: the frame is written first.
       writer.add(*device, inputs);
-      if (flags.png) {
-        lab::writePng(flags.directory / fmt::format("frame_{:04}.png", index + 1),
-                      lab::displayImage(lab::download(*device, *inputs.color)));
-      }
+      if (flags.png) pngs.write(inputs);
       if (flags.with_reference) writer.addReference(*source->reference(index));
       progress.step();
     }
@@ -122,6 +154,8 @@ void addRender(CLI::App& app, const Globals& globals, Action& action) {
   verb->add_flag("--reference", flags->with_reference,
                  "also write the many-sample reference of each frame");
   verb->add_flag("--png", flags->png, "also write each frame as PNG (x/(1+x), power 1/2.2)");
+  verb->add_flag("--post", flags->post,
+                 "PNGs behind a post chain: luminance adaptation, bloom, exposure, tone curve");
   verb->add_flag("--resume", flags->resume, "keep files that are there and whole");
   verb->footer(
       "Example: reprise render brick/pan --size 480x270 --frames 32 --reference -o /tmp/brick");

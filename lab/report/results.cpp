@@ -81,7 +81,8 @@ OrderedJson runJson(const RunResult& run) {
   json["cost"] = {{"gpu_ms",
                    {{"median", number(run.cost.median_ms)},
                     {"passes", namedJson(run.cost.passes_ms)},
-                    {"render", namedJson(run.cost.render_ms)}}},
+                    {"render", namedJson(run.cost.render_ms)},
+                    {"post", namedJson(run.cost.post_ms)}}},
                   {"shading_evaluations_per_pixel", run.cost.shading_evaluations_per_pixel},
                   {"history_bytes", run.cost.history_bytes}};
   return json;
@@ -97,6 +98,7 @@ OrderedJson resultsJson(const Results& results) {
   json["device"] = {{"name", results.device}, {"driver", results.driver}};
   json["extent"] = {results.extent[0], results.extent[1]};
   json["display"] = "x/(1+x), power 1/2.2";
+  if (!results.post.empty()) json["post"] = results.post;
   json["flip_pixels_per_degree"] = {{"flip", kFlipPixelsPerDegree},
                                     {"flip30", kFlipNearPixelsPerDegree}};
   json["jod_display"] = {{"name", kVdpStandard4k.name},

@@ -17,8 +17,9 @@ struct RunCost {
   // Median over the counted frames in ms, in the order recorded.
   std::vector<std::pair<std::string, double>> passes_ms;  // the technique's
   std::vector<std::pair<std::string, double>> render_ms;  // the source's; empty for captures
-  double median_ms = 0.0;                                 // of the technique's passes together
-  double shading_evaluations_per_pixel = 0.0;             // 0: not known
+  std::vector<std::pair<std::string, double>> post_ms;  // the post chain's, where one was asked for
+  double median_ms = 0.0;                               // of the technique's passes together
+  double shading_evaluations_per_pixel = 0.0;           // 0: not known
   uint64_t history_bytes = 0;
 };
 
@@ -37,6 +38,7 @@ struct Results {
   std::string device;
   std::string driver;
   uint32_t extent[2] = {0, 0};  // of the first source
+  std::string post;             // what lies before the display curve; empty: nothing
   std::vector<RunResult> runs;
 };
 

@@ -2,7 +2,8 @@
 //
 // A wooden toy horse gallops over a checkered marble floor: solid grain that moves with the wood,
 // fine veins and tile edges that slide past. After the horse scene of Yang et al. 2009. Its bones
-// and pieces are in horse/, the shading in shading/wood.glsl and shading/marble.glsl.
+// and pieces are in horse/, the shading in shading/figured_wood.glsl and
+// shading/veined_marble.glsl.
 #include <cmath>
 #include <glm/gtc/matrix_transform.hpp>
 
@@ -19,7 +20,7 @@ constexpr double kStill_s = 0.44;
 constexpr float kFloorLength_m = 96.0f;
 constexpr float kFloorWidth_m = 36.0f;
 
-constexpr float kAxisX = 0.0f;  // of the grain; as wood.glsl reads parameters.w
+constexpr float kAxisX = 0.0f;  // of the grain; as figured_wood.glsl reads parameters.w
 constexpr float kAxisY = 1.0f;
 
 // In the order of HorseWood.
@@ -32,14 +33,14 @@ class Horse final : public Scene {
  public:
   Horse() : parts_(horseParts()) {
     for (const glm::vec4& wood : kWoods) {
-      geometry_.materials.push_back({.parameters = wood, .kind = kMaterialWood});
+      geometry_.materials.push_back({.parameters = wood, .kind = kMaterialFiguredWood});
     }
     for (const HorsePart& part : parts_) {
       addInstance(geometry_, part.mesh, static_cast<uint32_t>(part.wood));
     }
     const auto floor = static_cast<uint32_t>(geometry_.materials.size());
     geometry_.materials.push_back(
-        {.parameters = {kTile_m, 0.035f, 14.0f, 0.0f}, .kind = kMaterialMarble});
+        {.parameters = {kTile_m, 0.0f, 0.0f, 0.0f}, .kind = kMaterialVeinedMarble});
     appendWall(geometry_, kFloorLength_m, kFloorWidth_m, 96, 36, floor);
   }
 

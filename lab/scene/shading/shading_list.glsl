@@ -6,6 +6,7 @@
 #include "lab/scene/shading/brick.glsl"
 #include "lab/scene/shading/cells.glsl"
 #include "lab/scene/shading/chart.glsl"
+#include "lab/scene/shading/figured_wood.glsl"
 #include "lab/scene/shading/glazed.glsl"
 #include "lab/scene/shading/hangar.glsl"
 #include "lab/scene/shading/leaf.glsl"
@@ -14,6 +15,7 @@
 #include "lab/scene/shading/rust.glsl"
 #include "lab/scene/shading/stone.glsl"
 #include "lab/scene/shading/textured.glsl"
+#include "lab/scene/shading/veined_marble.glsl"
 #include "lab/scene/shading/wood.glsl"
 
 // Bit k: materials of kind k occur. CPU drivers run every branch that is compiled in.
@@ -27,7 +29,8 @@ bool isKind(uint kind, uint wanted) {
 // them that may mirror the room.
 const uint kLitKinds = (1u << kMaterialBrick) | (1u << kMaterialWood) | (1u << kMaterialMarble) |
                        (1u << kMaterialCells) | (1u << kMaterialGlazed) | (1u << kMaterialStone) |
-                       (1u << kMaterialRust);
+                       (1u << kMaterialRust) | (1u << kMaterialFiguredWood) |
+                       (1u << kMaterialVeinedMarble);
 const uint kRoomKinds = (1u << kMaterialGlazed) | (1u << kMaterialStone);
 
 vec3 shadeMaterial(uint kind, SurfacePoint s) {
@@ -45,6 +48,8 @@ vec3 shadeMaterial(uint kind, SurfacePoint s) {
   if (isKind(kind, kMaterialGlazed)) a = glazedAppearance(s);
   if (isKind(kind, kMaterialStone)) a = stoneAppearance(s);
   if (isKind(kind, kMaterialRust)) a = rustAppearance(s);
+  if (isKind(kind, kMaterialFiguredWood)) a = figuredWoodAppearance(s);
+  if (isKind(kind, kMaterialVeinedMarble)) a = veinedMarbleAppearance(s);
   vec3 color = litSurface(s, a);
   if ((kKinds & kRoomKinds) != 0u) {
     vec3 mirrored = a.mirror * roomMirrored(s, a.normal_world);

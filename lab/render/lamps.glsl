@@ -30,4 +30,32 @@ uint lampsOfTile(uint word) {
   return lamp_tiles[kLampWords * shown_light_tile + word];
 }
 
+// for (LampCursor c = beforeLamps(); toLamp(c); passLamp(c)) ... lampOf(c)
+// One loop and not one inside another: CPU drivers run a loop's body once more than it has turns,
+// which would be a light in each word.
+struct LampCursor {
+  uint word;
+  uint bits;  // of the word, not passed yet
+};
+
+LampCursor beforeLamps() {
+  return LampCursor(0u, kLampCount > 0u ? lampsOfTile(0u) : 0u);
+}
+
+bool toLamp(inout LampCursor c) {
+  while (c.bits == 0u && c.word + 1u < lampWords()) {
+    ++c.word;
+    c.bits = lampsOfTile(c.word);
+  }
+  return c.bits != 0u;
+}
+
+void passLamp(inout LampCursor c) {
+  c.bits &= c.bits - 1u;
+}
+
+uint lampOf(LampCursor c) {
+  return 32u * c.word + uint(findLSB(c.bits));
+}
+
 #endif

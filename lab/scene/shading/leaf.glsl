@@ -19,11 +19,9 @@ vec3 shadeLeaf(SurfacePoint s) {
     Arriving light = lightAt(i, s.position_world);
     color += through * light.color * max(-dot(s.normal_world, light.to_light_world), 0.0);
   }
-  for (uint word = 0u; word < lampWords(); ++word) {
-    for (uint bits = lampsOfTile(word); bits != 0u; bits &= bits - 1u) {
-      Arriving light = lampAt(32u * word + uint(findLSB(bits)), s.position_world);
-      color += through * light.color * max(-dot(s.normal_world, light.to_light_world), 0.0);
-    }
+  for (LampCursor c = beforeLamps(); toLamp(c); passLamp(c)) {
+    Arriving light = lampAt(lampOf(c), s.position_world);
+    color += through * light.color * max(-dot(s.normal_world, light.to_light_world), 0.0);
   }
   return color;
 }

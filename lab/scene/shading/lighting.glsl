@@ -104,11 +104,8 @@ vec3 litSurface(SurfacePoint s, Appearance a) {
   for (uint i = 0u; i < frame.light_count; ++i) {
     color += litBy(lightAt(i, s.position_world), frame.lights[i].layer, s, a);
   }
-  for (uint word = 0u; word < lampWords(); ++word) {
-    for (uint bits = lampsOfTile(word); bits != 0u; bits &= bits - 1u) {
-      color +=
-          litBy(lampAt(32u * word + uint(findLSB(bits)), s.position_world), kLightLayerMain, s, a);
-    }
+  for (LampCursor c = beforeLamps(); toLamp(c); passLamp(c)) {
+    color += litBy(lampAt(lampOf(c), s.position_world), kLightLayerMain, s, a);
   }
   return color;
 }

@@ -68,12 +68,10 @@ vec3 shadeTextured(SurfacePoint s) {
     color += light.color * microfacets(normal, s.to_eye_world, light.to_light_world, diffuse, f0,
                                        roughness * roughness);
   }
-  for (uint word = 0u; word < lampWords(); ++word) {
-    for (uint bits = lampsOfTile(word); bits != 0u; bits &= bits - 1u) {
-      Arriving light = lampAt(32u * word + uint(findLSB(bits)), s.position_world);
-      color += light.color * microfacets(normal, s.to_eye_world, light.to_light_world, diffuse, f0,
-                                         roughness * roughness);
-    }
+  for (LampCursor c = beforeLamps(); toLamp(c); passLamp(c)) {
+    Arriving light = lampAt(lampOf(c), s.position_world);
+    color += light.color * microfacets(normal, s.to_eye_world, light.to_light_world, diffuse, f0,
+                                       roughness * roughness);
   }
   if ((shown_light_layers & kLightLayerMain) != 0u) {
     color += material.emission.rgb * textureAt(s, material.emission_texture).rgb;

@@ -4,8 +4,10 @@
 // a browser. What the figures say is for the full run.
 #include <gtest/gtest.h>
 
+#include <cstdlib>
 #include <filesystem>
 #include <fstream>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -81,6 +83,31 @@ TEST_F(PaperCommand, PixelHistoryLinearModels) {
     EXPECT_EQ(row["holds"], true);
   }
   EXPECT_TRUE(half) << ran.out;
+}
+
+TEST_F(PaperCommand, CoarsePixelShading) {
+  // Without data: the lab's own scenes stand for the models, and the page says so.
+  ::unsetenv("REPRISE_DATA");
+  const Ran ran =
+      reprise(std::string("paper cpst -o out --item evaluations --item 'table 2' --item "
+                          "'point sets'") +
+              kTiny);
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  EXPECT_NE(ran.out.find("lights/dolly stands for it"), std::string::npos) << ran.out;
+  std::map<std::string, nlohmann::json> rows;
+  for (const auto& row : nlohmann::json::parse(readWholeFile(path("out/paper.json")))) {
+    EXPECT_TRUE(row["measured"].is_number()) << row;
+    rows[row["item"].get<std::string>() + ": " + row["row"].get<std::string>()] = row;
+  }
+  const double coarse = rows.at("table 2: 512 lights, evaluations of CPS-T over PS")["measured"];
+  EXPECT_GT(coarse, 0.25);
+  EXPECT_LT(coarse, 1.0);
+  EXPECT_LT(rows.at("table 2: 32 lights, lights a tile")["measured"],
+            rows.at("table 2: 512 lights, lights a tile")["measured"]);
+  EXPECT_TRUE(rows.at("table 2: 512 lights, frame of CPS-T over PS")["holds"].is_boolean());
+  // Each Halton sequence spoils one of the two sets.
+  EXPECT_EQ(rows.at("point sets: void and cluster over Halton, shading")["holds"], true);
+  EXPECT_EQ(rows.at("point sets: void and cluster over 2x Halton, visibility")["holds"], true);
 }
 
 TEST_F(PaperCommand, WrongUsageIsTwo) {

@@ -251,10 +251,14 @@ std::string PaperLab::key(const std::string& run, const std::string& technique,
                      still ? s.still_samples : s.samples, nameOf(view), repriseGetVersion());
 }
 
+void PaperLab::keepValidation(const Device& device) {
+  const std::vector<std::string>& said = device.validationMessages();
+  validation_.insert(validation_.end(), said.begin(), said.end());
+}
+
 void PaperLab::close() {
   if (!scene_) return;
-  const std::vector<std::string>& said = scene_->device().validationMessages();
-  validation_.insert(validation_.end(), said.begin(), said.end());
+  keepValidation(scene_->device());
   scene_.reset();
 }
 

@@ -134,6 +134,8 @@ class PaperLab {
   std::unique_ptr<Device> openDevice() const { return options_.open_device(); }
   // Of the scenes opened so far; closes the open one.
   std::vector<std::string> takeValidationMessages();
+  // Of a device that an experiment opened for itself.
+  void keepValidation(const Device& device);
 
   // `technique` over the scene "brick/pan". A camera named "still" runs still_frames.
   const Measured& measure(const std::string& run, const std::string& technique,

@@ -6,12 +6,14 @@
 namespace reprise::lab {
 
 Paper amortizedPaper();
+Paper cpstPaper();
 Paper phlmPaper();
 
 const std::vector<Paper>& paperList() {
   static const std::vector<Paper> list = {
       amortizedPaper(),
       phlmPaper(),
+      cpstPaper(),
   };
   return list;
 }

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: MIT
+//
+// The figures and tables of Xiao, Liktor, Vaidyanathan 2018, one function each, in files of their
+// names.
+#pragma once
+
+#include "lab/paper/outcome.h"
+#include "lab/paper/paper_lab.h"
+
+namespace reprise::lab::cpst {
+
+void evaluations(PaperLab& lab, Outcome& outcome);
+void table1(PaperLab& lab, Outcome& outcome);
+void table2(PaperLab& lab, Outcome& outcome);
+void figure9(PaperLab& lab, Outcome& outcome);
+void pointSets(PaperLab& lab, Outcome& outcome);
+
+}  // namespace reprise::lab::cpst

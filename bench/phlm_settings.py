@@ -10,12 +10,14 @@ SCENES = ["foliage/walk", "hangar/fly"]
 SIZE = ["--size", "480x270", "--frames", "24", "--samples", "32"]
 
 EFFECTS = """
-input_width=0 input_width=0.4 input_width=0.8 space=linear lambda=0.998 lambda=0.9
-initial_variance=1 slope_variance=0 slope_variance=1 slope_variance=100 variance_limit=10
+input_width=0 input_width=0.4 input_width=0.8 space=linear lambda=0.998 lambda=0.95 lambda=0.85
+forgetting=constant forgetting=constant,lambda=0.95
+forgetting=constant,lambda=0.95,initial_variance=1000,box_space=rgb,feature_floor=0.03
+initial_variance=1000 slope_variance=0 slope_variance=1 slope_variance=100 variance_limit=10
 clip=reset clip_variance=0.03 clip_variance=0.3 clip_variance=1000 box=rounded box=variance
-box=variance,box_gamma=1.5 box_space=ycocg box_feature=never box_feature=still
+box=variance,box_gamma=1.5 box_space=rgb box_feature=never box_feature=still
 history_filter=bilinear dilation=none depth_tolerance=0.02 feature_a=0.25 feature_b=1
-feature_floor=0 feature_floor=0.015 feature_floor=0.06 feature_floor=0.1 feature_weighs=old
+feature_floor=0 feature_floor=0.01 feature_floor=0.04 feature_floor=0.08 feature_weighs=old
 low_pass=none low_pass=tent bilinear=shader update=half update=quarter preset=sharp
 preset=paper preset=paper,dilation=none preset=paper,origin=feature
 preset=paper,depth_tolerance=0.02 preset=paper,clip_variance=0.1 preset=paper,low_pass=box

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <numeric>
 
 namespace reprise::lab {
 
@@ -14,28 +15,38 @@ FloatImage crop(const FloatImage& image, const CropBox& box) {
   return part;
 }
 
-CropBox worstSquare(const FloatImage& reference, const FloatImage& test, uint32_t side_px) {
-  CropBox best{0, 0, std::min(side_px, reference.width), std::min(side_px, reference.height)};
-  double worst = -1.0;
-  // Half overlapping squares: the worst one need not be found to the pixel.
+FloatImage squaredError(const FloatImage& reference, const FloatImage& test) {
+  FloatImage error(reference.width, reference.height, 1);
+  for (size_t i = 0; i < reference.texels.size(); ++i) {
+    const float difference = reference.texels[i] - test.texels[i];
+    error.texels[i / reference.channels] += difference * difference;
+  }
+  return error;
+}
+
+CropBox heaviestSquare(const FloatImage& weights, uint32_t side_px) {
+  CropBox best{0, 0, std::min(side_px, weights.width), std::min(side_px, weights.height)};
+  double heaviest = -1.0;
+  // Half overlapping squares: the heaviest one need not be found to the pixel.
   const uint32_t step = std::max(side_px / 2, 1u);
-  for (uint32_t y = 0; y + best.height <= reference.height; y += step) {
-    for (uint32_t x = 0; x + best.width <= reference.width; x += step) {
+  for (uint32_t y = 0; y + best.height <= weights.height; y += step) {
+    for (uint32_t x = 0; x + best.width <= weights.width; x += step) {
       double sum = 0.0;
       for (uint32_t v = 0; v < best.height; ++v) {
-        const float* a = reference.at(x, y + v);
-        const float* b = test.at(x, y + v);
-        for (uint32_t i = 0; i < best.width * reference.channels; ++i) {
-          sum += double{a[i] - b[i]} * double{a[i] - b[i]};
-        }
+        const float* row = weights.at(x, y + v);
+        sum = std::accumulate(row, row + best.width, sum);
       }
-      if (sum <= worst) continue;
-      worst = sum;
+      if (sum <= heaviest) continue;
+      heaviest = sum;
       best.x = x;
       best.y = y;
     }
   }
   return best;
+}
+
+CropBox worstSquare(const FloatImage& reference, const FloatImage& test, uint32_t side_px) {
+  return heaviestSquare(squaredError(reference, test), side_px);
 }
 
 FloatImage differenceImage(const FloatImage& a, const FloatImage& b, float gain) {

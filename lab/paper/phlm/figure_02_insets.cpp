@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
-// Figure 2: last frames, and insets of all methods at the same places: where UE4-TAA is farthest
-// from the reference, which is where it ghosts, and where no antialiasing is.
+// Figure 2: last frames, and insets of all methods at the same places: where something was
+// uncovered lately and UE4-TAA ghosts, where PHLM does worse there, and where no antialiasing is
+// farthest from the reference.
 #include <fmt/format.h>
 
 #include "lab/paper/crop.h"
@@ -13,16 +14,36 @@ namespace {
 
 constexpr uint32_t kInset_px = 56;
 
+// By how much the squared error of `test` is above that of `other` in the last frame, where
+// something in front has moved away in the last kRecoveryFrames frames; 0 elsewhere.
+FloatImage ghostsBeyond(const PaperScene& scene, const FloatImage& test, const FloatImage& other) {
+  const FloatImage& reference = scene.reference(scene.frames() - 1);
+  const Ages& ages = scene.truth().frames.back().ages;
+  FloatImage beyond = squaredError(reference, test);
+  const FloatImage other_error = squaredError(reference, other);
+  for (size_t i = 0; i < ages.size(); ++i) {
+    const bool uncovered = ages[i] >= 1 && ages[i] <= kRecoveryFrames;
+    beyond.texels[i] = uncovered ? beyond.texels[i] - other_error.texels[i] : 0.0f;
+  }
+  return beyond;
+}
+
 void insetsOf(PaperLab& lab, const Sequence& sequence, Outcome& outcome) {
   PaperScene& scene = lab.scene(sequence.run, view());
   const FloatImage& reference = scene.reference(scene.frames() - 1);
   const auto last = [&](const std::string& technique) -> const Measured& {
     return lab.measure(sequence.run, technique, view());
   };
-  for (const auto& [what, technique] :
-       {std::pair<std::string, std::string>{"where UE4-TAA is worst", "ue4-taa"},
-        {"where no antialiasing is worst", "none"}}) {
-    const CropBox box = worstSquare(reference, last(technique).last, kInset_px);
+  const FloatImage ue4_beyond_phlm = ghostsBeyond(scene, last("ue4-taa").last, last("phlm").last);
+  const FloatImage phlm_beyond_ue4 = ghostsBeyond(scene, last("phlm").last, last("ue4-taa").last);
+  const std::string uncovered = fmt::format("uncovered up to {} frames ago, ", kRecoveryFrames);
+  for (const auto& [what, box] :
+       {std::pair<std::string, CropBox>{uncovered + "UE4-TAA's error most above PHLM's",
+                                        heaviestSquare(ue4_beyond_phlm, kInset_px)},
+        {uncovered + "PHLM's error most above UE4-TAA's",
+         heaviestSquare(phlm_beyond_ue4, kInset_px)},
+        {"no antialiasing's error largest",
+         worstSquare(reference, last("none").last, kInset_px)}}) {
     std::vector<std::pair<std::string, FloatImage>> insets;
     for (const Contender& contender : contenders()) {
       const Measured& measured = last(contender.technique);

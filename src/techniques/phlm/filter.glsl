@@ -74,6 +74,12 @@ LinearModel knownColor(vec3 color, float level, float spread, vec3 feature) {
   return kAboutZero != 0u ? shiftedModel(m, feature) : m;
 }
 
+float forgetting(PhlmConstants k, vec3 y, vec3 prediction) {
+  if (kForget == kForgetEvenly) return k.lambda;
+  float feedback = contrastFeedback(toneMappedLuma(y), toneMappedLuma(prediction));
+  return max(1.0 - (1.0 - k.lambda) * feedback, 0.5);
+}
+
 struct Filtered {
   LinearModel model;  // about the pixel's feature
   vec3 color;
@@ -135,7 +141,7 @@ Filtered filteredPixel(PhlmConstants k, ivec2 px, vec3 s[9], LinearModel model, 
     result.rests = true;
     return result;
   }
-  result.model = updatedModel(model, kHere, y - prediction, k.lambda);
+  result.model = updatedModel(model, kHere, y - prediction, forgetting(k, y, prediction));
   result.color = result.model.intercept;
   return result;
 }

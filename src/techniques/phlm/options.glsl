@@ -18,5 +18,6 @@ layout(constant_id = 11) const uint kUpdate = 0u;
 layout(constant_id = 12) const uint kFused = 0u;  // the filter makes the feature as well
 layout(constant_id = 13) const uint kBoxFeature = 0u;
 layout(constant_id = 14) const uint kAboutZero = 0u;  // stored models; else about the feature
+layout(constant_id = 15) const uint kForget = 0u;
 
 #endif

@@ -103,7 +103,8 @@ class Phlm final : public Technique {
                                                   s.choice(kUpdateShare),
                                                   split_ ? 0u : 1u,
                                                   s.choice(kBoxHolds),
-                                                  aboutZero(s) ? 1u : 0u};
+                                                  aboutZero(s) ? 1u : 0u,
+                                                  s.choice(kForgetting)};
     if (split_) {
       feature_pass_ =
           d.pass({.name = "feature",

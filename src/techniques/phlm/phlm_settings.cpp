@@ -14,6 +14,7 @@ constexpr const char* kInputNames[] = {"rendered", "fxaa", nullptr};
 constexpr const char* kUpdateNames[] = {"all", "half", "quarter", nullptr};
 constexpr const char* kPassesNames[] = {"split", "fused", nullptr};
 constexpr const char* kSpaceNames[] = {"linear", "compressed", nullptr};
+constexpr const char* kForgettingNames[] = {"constant", "contrast", nullptr};
 constexpr const char* kClipNames[] = {"reset", "shift", nullptr};
 constexpr const char* kBoxNames[] = {"square", "rounded", "variance", nullptr};
 constexpr const char* kBoxSpaceNames[] = {"rgb", "ycocg", nullptr};
@@ -68,12 +69,17 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "what is modelled in motion: light, or c / (1 + luma), which bounds what one "
                   "bright sample can do and darkens thin highlights",
                   "Karis 2014; experiment: effects.md"),
-    numberSetting(kLambda, "lambda", 0.95, 0.5, 1.0, "",
+    numberSetting(kLambda, "lambda", 0.9, 0.5, 1.0, "",
                   "weight of the past in each frame; lower follows change faster and averages less",
                   "Iglesias-Guitian et al. 2016: 0.998; experiment: effects.md"),
-    numberSetting(kInitialVariance, "initial_variance", 1000.0, 0.01, 1000.0,
-                  "variances of a sample",
-                  "of a fresh model's colour; the first sample leaves about 1 of it", kPaper),
+    choiceSetting(kForgetting, "forgetting", 1, kForgettingNames,
+                  "whether 1 - lambda is the same everywhere, or half of that where sample and "
+                  "prediction have one luma and up to twice where they differ",
+                  "Pedersen 2016; Fortescue, Kershenbaum, Ydstie 1981; experiment: effects.md"),
+    numberSetting(kInitialVariance, "initial_variance", 1.0, 0.01, 1000.0, "variances of a sample",
+                  "of a fresh model's colour, before its first sample is counted: large leaves "
+                  "about 1 of it, 1 counts that sample twice",
+                  "Iglesias-Guitian et al. 2016: 1000; experiment: effects.md"),
     numberSetting(
         kSlopeVariance, "slope_variance", 1000.0, 0.0, 1000.0, "variances of a sample",
         "of a fresh model's slopes: large trusts the feature at once, 0 makes the model a "
@@ -93,7 +99,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "bound of believable predictions from the 3x3 neighbourhood: its extremes, the "
                   "mean of its and the cross's, or mean and standard deviations",
                   "Iglesias-Guitian et al. 2016: square"),
-    choiceSetting(kBoxSpace, "box_space", 0, kBoxSpaceNames, "axes of the box",
+    choiceSetting(kBoxSpace, "box_space", 1, kBoxSpaceNames, "axes of the box",
                   "Iglesias-Guitian et al. 2016: either"),
     numberSetting(kBoxGamma, "box_gamma", 1.0, 0.0, 8.0, "standard deviations",
                   "half-size of the variance box", "Salvi 2016: 0.75 to 1.25"),
@@ -122,7 +128,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "adaptation of the temporal feature at rest", kPaper),
     numberSetting(kFeatureB, "feature_b", 0.25, 0.0, 16.0, "a px a frame",
                   "how much faster it adapts in motion", kPaper),
-    numberSetting(kFeatureFloor, "feature_floor", 0.03, 0.0, 1.0, "",
+    numberSetting(kFeatureFloor, "feature_floor", 0.02, 0.0, 1.0, "",
                   "its least adaptation: without one it freezes where it lies on the range's end",
                   "experiment: effects.md"),
     choiceSetting(
@@ -155,6 +161,7 @@ constexpr RepriseSettingValue kPaperValues[] = {
     {"passes", 0.0, "split"},
     {"space", 0.0, "linear"},
     {"lambda", 0.998, nullptr},
+    {"forgetting", 0.0, "constant"},
     {"initial_variance", 1000.0, nullptr},
     {"slope_variance", 1000.0, nullptr},
     {"clip", 0.0, "reset"},
@@ -173,7 +180,6 @@ constexpr RepriseSettingValue kPaperValues[] = {
 
 constexpr RepriseSettingValue kSharpValues[] = {
     {"input_width", 0.4, nullptr},
-    {"feature_floor", 0.06, nullptr},
 };
 
 }  // namespace
@@ -182,7 +188,7 @@ const ReprisePresetInfo kPresets[] = {
     {"paper", kPaperValues, static_cast<uint32_t>(std::size(kPaperValues)),
      "the method and the storage as published"},
     {"sharp", kSharpValues, static_cast<uint32_t>(std::size(kSharpValues)),
-     "nearer to the reference and twice the flicker"},
+     "a narrower input filter: nearer to the reference and up to twice the flicker"},
 };
 const uint32_t kPresetCount = static_cast<uint32_t>(std::size(kPresets));
 

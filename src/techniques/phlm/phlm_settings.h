@@ -16,6 +16,7 @@ enum Setting : uint32_t {
   kPasses,
   kSpace,
   kLambda,
+  kForgetting,
   kInitialVariance,
   kSlopeVariance,
   kVarianceLimit,

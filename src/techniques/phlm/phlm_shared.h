@@ -46,6 +46,9 @@ PHLM_CHOICE kUpdateAll = 0u;
 PHLM_CHOICE kUpdateHalf = 1u;
 PHLM_CHOICE kUpdateQuarter = 2u;
 
+PHLM_CHOICE kForgetEvenly = 0u;
+PHLM_CHOICE kForgetByContrast = 1u;
+
 struct PhlmConstants {
   FrameConstants frame;
   // Weights of the nine samples at (x - 1, y - 1), row by row, sum 1; filter_weight_8.x ends them.

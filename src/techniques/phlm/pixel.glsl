@@ -5,6 +5,7 @@
 
 #include "core/frame_inputs.glsl"
 #include "core/neighbourhood.glsl"
+#include "equations/accumulation.h"
 #include "equations/color_space.h"
 #include "equations/least_squares.h"
 #include "techniques/phlm/options.glsl"

@@ -43,6 +43,7 @@ bool isStill(const std::string& run) {
 std::string nameOf(const PaperView& view) {
   std::string name = view.judged == Judged::kCentre ? "centre" : "pixel";
   if (view.defer_lights) name += ", lights deferred";
+  if (view.shade_covered) name += ", shaded where covered";
   if (view.reference_filter == ReferenceFilter::kBox) name += ", box";
   if (view.over_time) name += ", over time";
   if (view.texture_filter == TextureFilter::kTrilinear) name += ", trilinear";
@@ -177,6 +178,7 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
   options.switches.shading_only = view.judged == Judged::kCentre;
   options.switches.defer_lights = view.defer_lights;
   options.reference.samples = still ? scale.still_samples : scale.samples;
+  options.switches.shade_covered = view.shade_covered;
   options.switches.texture_filter = view.texture_filter;
   options.switches.samples = view.samples;
   options.reference.filter = view.reference_filter;

@@ -45,6 +45,7 @@ struct PaperView {
   uint32_t samples = 1;  // a pixel: RenderSwitches::samples
   // Of a figure that was published at another size than the paper's: what a full run takes.
   VkExtent2D published_extent{};
+  bool shade_covered = false;  // RenderSwitches::shade_covered
   // RenderSwitches::defer_lights: the deferred layer of light is kept from the technique.
   bool defer_lights = false;
 };

@@ -75,11 +75,26 @@ void listItems(uint coarse_pixel) {
   }
 }
 
+// Of the pixels that show the triangle `key`.
+vec2 middleOfCovered(ivec2 base_px, uvec2 key) {
+  vec2 sum_px = vec2(0.0);
+  float count = 0.0;
+  for (int i = 0; i < int(push.size * push.size); ++i) {
+    ivec2 px = pixelOf(base_px, i);
+    if (!withinFrame(px) || texelFetch(visibility_image, px, 0).xy != key) continue;
+    sum_px += vec2(px) + 0.5;
+    count += 1.0;
+  }
+  return sum_px / count;
+}
+
 void shadeItem(uint item) {
   ivec2 base_px = baseOf(item & 255u);
   int first = int(item >> 8);
   ivec2 first_px = pixelOf(base_px, first);
+  uvec2 key = texelFetch(visibility_image, first_px, 0).xy;
   vec2 sample_px = vec2(base_px) + 0.5 * float(push.size) - push.jitter_px;
+  if (push.shade_covered != 0u) sample_px = middleOfCovered(base_px, key) - push.jitter_px;
   selectLightTile(first_px);
   VisibleTriangle seen;
   fetchTriangle(first_px, seen);
@@ -87,7 +102,6 @@ void shadeItem(uint item) {
   float ratio = inverseDepth(seen, own_px) / inverseDepth(seen, sample_px);
   bool reachable = ratio > 1.0 / kFarthestExtrapolation && ratio < kFarthestExtrapolation;
   vec3 color = shadeTriangle(seen, reachable ? sample_px : own_px);
-  uvec2 key = texelFetch(visibility_image, first_px, 0).xy;
   for (int i = first; i < int(push.size * push.size); ++i) {
     ivec2 px = pixelOf(base_px, i);
     if (!withinFrame(px)) continue;

@@ -165,7 +165,7 @@ struct CoarseConstants {
   uint origin_y_px;
   uint checkerboard;  // 1: pixels whose x + y is even; 2: odd
   uint light_layers;
-  uint padding;
+  uint shade_covered;  // 1: amid the pixels that the triangle covers, 0: at the coarse centre
 };
 
 struct LateConstants {

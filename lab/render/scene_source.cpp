@@ -193,7 +193,8 @@ void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSa
                  .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
                  .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
                  .checkerboard = sampling.checkerboard,
-                 .light_layers = constants.light_layers});
+                 .light_layers = constants.light_layers,
+                 .shade_covered = options_.switches.shade_covered ? 1u : 0u});
 }
 
 std::optional<FloatImage> SceneSource::reference(uint32_t index) {

@@ -22,8 +22,9 @@ layout(binding = 3) uniform sampler2D predicted_image;
 layout(binding = 4) uniform sampler2D depth_image;
 layout(binding = 5) uniform sampler2D history_image;  // rgb linear, a: samples held
 layout(binding = 6) uniform usampler2D history_depth_image;
-layout(binding = 7) uniform sampler2D change_image;  // x: mean, y: the last, z: noise of residuals
-layout(binding = 8) uniform sampler2D gain_image;    // one texel a tile
+layout(binding = 7) uniform sampler2D
+    change_image;  // of residuals, x: mean, y: the last, z: noise, w: flips
+layout(binding = 8) uniform sampler2D gain_image;  // one texel a tile
 layout(binding = 9) writeonly uniform image2D next_history_image;
 layout(binding = 10) writeonly uniform image2D next_change_image;
 layout(binding = 11) writeonly uniform image2D output_image;
@@ -44,6 +45,28 @@ const float kSpatialShare = 0.3;
 // Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
 const float kAloneSamples = 1.0;
 
+// What a frame adds to the samples held by the four texels of a pixel, together.
+const float kFrameWeight = 2.0;
+// A texel far from the sample still learns a little: 0 / 0 otherwise.
+const float kSmallestWeight = 1.0e-3;
+
+// Output pixels without a sample of their own borrow the closest one, at this share of a sample's
+// weight (0.4 dB against 1 on `brick/still` at twice the extent, 0.2 on `brick/pan`), which falls
+// with its distance from the pixel (output px).
+const float kLentShare = 0.3;
+const float kLentWidth = 0.5;
+// Squared: less than this is a rounding error of samples on the pixel's edge.
+const float kSmallestOutside = 1.0e-6;
+
+// At rest the bound's half-size is at least as many of a pixel's flips, the least of two residuals
+// in a row of different signs: where content aliases to one colour, 3x3 of a frame have no spread
+// (5 dB on `chart/still`). Changes do not flip.
+const float kFlips = 1.0;
+// Flips' upper fifth, which steps toward each frame's flip: what passes by flips once or twice too,
+// and one great flip must count no more than a small one.
+const float kFlipRise = 0.05;
+const float kFlipFall = 0.0125;
+
 // Residuals of 3x3, relative to luma, about the prediction after `gain` (eq. 7).
 struct Pooled {
   float mean;
@@ -52,12 +75,32 @@ struct Pooled {
   float count;
 };
 
-void main() {
-  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
-  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
-  if (any(greaterThan(px, last_px))) return;
+// Of the sample for the four texels of the output's pixel (eq. 11); `offset_px` from its centre.
+vec4 texelWeights(vec2 offset_px, float held) {
+  vec2 low = offset_px + 0.25;
+  vec2 high = offset_px - 0.25;
+  float scale = -0.5 / (k.sample_width * k.sample_width);
+  vec2 a = exp(scale * low * low);
+  vec2 b = exp(scale * high * high);
+  vec4 weight = max(vec4(a.x * a.y, b.x * a.y, a.x * b.y, b.x * b.y), vec4(kSmallestWeight));
+  // A sample outside the pixel is another pixel's: it fills in until the pixel has its own.
+  vec2 outside = max(abs(offset_px) - 0.5, vec2(0.0));
+  float square = dot(outside, outside);
+  float share = exp(-0.5 * square / (kLentWidth * kLentWidth));
+  if (square > kSmallestOutside) share *= kLentShare / (1.0 + held);
+  return weight * (kFrameWeight * share / dot(weight, vec4(1.0)));
+}
 
-  vec2 center_px = vec2(px) + 0.5;
+void main() {
+  ivec2 output_px = ivec2(gl_GlobalInvocationID.xy);
+  if (any(greaterThanEqual(output_px, ivec2(k.output_extent_px)))) return;
+
+  // The input's pixel whose sample is the closest to the output's pixel.
+  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
+  vec2 ratio = k.output_extent_px / k.frame.extent_px;
+  vec2 center_px = (vec2(output_px) + 0.5) / ratio;
+  ivec2 px = clamp(ivec2(floor(center_px + k.frame.jitter_px)), ivec2(0), last_px);
+  vec2 sample_px = (vec2(px) + 0.5 - k.frame.jitter_px) * ratio - vec2(output_px) - 0.5;
   vec3 gain = textureLod(gain_image, min(center_px * k.tile_uv, k.last_tile_uv), 0.0).rgb;
   vec3 samples[9];
   Pooled pooled = Pooled(0.0, 0.0, 0.0, 0.0);
@@ -88,14 +131,15 @@ void main() {
 
   ivec2 surface_px = clamp(px + kCross[surfaceIndex(predicted)], ivec2(0), last_px);
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
-  vec2 then_scale = k.frame.previous_extent_px / k.frame.extent_px;
+  vec2 then_scale = k.previous_output_extent_px / k.frame.extent_px;
   vec2 previous_px = (center_px + motion_px) * then_scale;
-  vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.previous_extent_px - 0.5);
-  bool on_screen = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px);
+  vec2 inside_px = clamp(previous_px, vec2(0.5), k.previous_output_extent_px - 0.5);
+  bool on_screen =
+      k.frame.has_history > 0.5 && isOnScreen(previous_px, k.previous_output_extent_px);
   bool still = !isMoving(predicted);
 
   // Evidence of this frame alone, then of the running mean (eq. 8).
-  vec4 then = textureLod(change_image, inside_px * k.frame.history_texel_uv, 0.0);
+  vec4 then = textureLod(change_image, inside_px * k.output_texel_uv, 0.0);
   float known = on_screen && pooled.count > 0.5 ? 1.0 : 0.0;
   float square = pooled.mean * pooled.mean;
   float spatial = (pooled.variance + kSmallestSquare) / kChangeCount;
@@ -108,8 +152,10 @@ void main() {
                                          k.doubt_mean * patience);
   float step = pooled.mean - then.y;
   float next_noise = mix(noise, 0.5 * step * step, kNoiseMemory);
-  imageStore(next_change_image, px,
-             known * vec4(change * (1.0 - believed), pooled.mean, next_noise, 0.0));
+  float flip = pooled.mean * then.y < 0.0 ? min(abs(pooled.mean), abs(then.y)) : 0.0;
+  float flips = (1.0 - max(believed, now)) * (then.w + clamp(flip - then.w, -kFlipFall, kFlipRise));
+  imageStore(next_change_image, output_px,
+             known * vec4(change * (1.0 - believed), pooled.mean, next_noise, flips));
   float changed = max(believed, now);
   gain *= 1.0 + clamp(believed * change, -0.9, 4.0);
 
@@ -123,7 +169,7 @@ void main() {
   float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                          center_px - k.frame.jitter_px, 1.0 / near);
   HistoryBlock block =
-      historyBlock(history_image, history_depth_image, k, 2.0 * (vec2(px) + motion_px) * then_scale,
+      historyBlock(history_image, history_depth_image, k, 2.0 * (previous_px - 0.5),
                    1.0 / clamp(expected, 1.0e-9, kMaxViewDepth), slope, on_screen);
 
   float reactive = 0.0;
@@ -133,6 +179,8 @@ void main() {
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
+  float flipping = still ? kFlips * (1.0 - changed) * known * then.w : 0.0;
+  flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.
@@ -144,11 +192,12 @@ void main() {
     vec3 smoothed = rgbFromYCoCg(smoothedAlongEdge(samples, luma, samples[4]));
     current = mix(current, max(smoothed, vec3(0.0)), alone);
   }
+  vec4 texel_weight = texelWeights(sample_px, held);
   vec3 shown = vec3(0.0);
   for (int j = 0; j < 4; ++j) {
     vec3 followed = block.texel[j].rgb * (gain * k.frame.exposure_ratio);
     vec3 history = yCoCgFromRgb(min(followed, vec3(kMaxColor)));
-    vec3 reach = half_size * m.deviation + boundSlack(history, samples[4]);
+    vec3 reach = half_size * max(m.deviation, vec3(flipping)) + boundSlack(history, samples[4]);
     vec3 bounded = clipTowardBoxCentre(m.mean - reach, m.mean + reach, history);
     float clipped = length(bounded - history) / (length(history - samples[4]) + 1.0e-4);
 
@@ -156,12 +205,12 @@ void main() {
     float count = min(block.texel[j].a, limit) * (1.0 - reactive);
     count *= 1.0 - k.forget_clipped * clamp(clipped, 0.0, 1.0);
     count *= 1.0 - k.forget_changed * believed;
-    float w = k.texel_weights[j];
+    float w = texel_weight[j];
     vec3 value = mix(max(rgbFromYCoCg(bounded), vec3(0.0)), current, w / (count + w));
     shown += 0.25 * value;
-    ivec2 texel = 2 * px + ivec2(j & 1, j >> 1);
+    ivec2 texel = 2 * output_px + ivec2(j & 1, j >> 1);
     vec3 stored = roundedToHalf(min(value, vec3(kMaxColor)), texel, k.frame.frame_number, true);
     imageStore(next_history_image, texel, vec4(stored, min(count + w, 2048.0)));
   }
-  if (k.upsamples < 0.5) imageStore(output_image, px, vec4(shown, 1.0));
+  imageStore(output_image, output_px, vec4(shown, 1.0));
 }

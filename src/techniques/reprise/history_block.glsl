@@ -18,13 +18,15 @@ struct HistoryBlock {
 // that this surface had there, and its slope a pixel.
 HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_image,
                           RepriseConstants k, vec2 at, float near, vec2 slope, bool on_screen) {
-  vec2 last_texel = 2.0 * k.frame.previous_extent_px - 1.0;
+  vec2 last_texel = 2.0 * k.previous_output_extent_px - 1.0;
   at = clamp(at, vec2(0.0), last_texel - 1.0);
   vec2 base = floor(at);
   vec2 f = at - base;
 
-  // Depth is one a pixel; five texels in a row lie in three pixels at most.
-  ivec2 first_px = ivec2(floor((base - 1.0) * 0.5));
+  // Depth is one a pixel of the input; five texels in a row lie in three of them at most.
+  vec2 texel_px = 0.5 * k.frame.previous_extent_px / k.previous_output_extent_px;
+  ivec2 first_px = ivec2(floor((base - 0.5) * texel_px));
+  ivec2 count_px = ivec2(floor((base + 3.5) * texel_px)) - first_px + 1;
   ivec2 last_px = ivec2(k.frame.previous_extent_px) - 1;
   HistoryBlock block;
   block.uncovered = 0.0;
@@ -36,14 +38,15 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     // The surface's plane where that pixel's depth was sampled; the pixel's centre is 1 texel from
     // `at`.
     vec2 offset_px =
-        vec2(at_px) + 0.5 - 0.5 * (at + 1.0) + k.frame.jitter_px - k.frame.previous_jitter_px;
+        vec2(at_px) + 0.5 - (at + 1.0) * texel_px + k.frame.jitter_px - k.frame.previous_jitter_px;
     float there = near + dot(slope, offset_px);
-    valid[i] = on_screen && there >= (1.0 - k.depth_tolerance) * depths.x ? 1.0 : 0.0;
+    bool used = i % 3 < count_px.x && i / 3 < count_px.y;
+    valid[i] = on_screen && used && there >= (1.0 - k.depth_tolerance) * depths.x ? 1.0 : 0.0;
     valid_count += valid[i];
     block.uncovered += there >= (1.0 - k.depth_tolerance) * depths.y ? 0.0 : valid[i];
   }
   // A cubic with taps left out would overshoot: bilinear over what is there.
-  bool whole = valid_count > 8.5;
+  bool whole = valid_count > float(count_px.x * count_px.y) - 0.5;
   vec4 wx = whole ? cubicWeights(f.x, k.sharpness) : vec4(0.0, 1.0 - f.x, f.x, 0.0);
   vec4 wy = whole ? cubicWeights(f.y, k.sharpness) : vec4(0.0, 1.0 - f.y, f.y, 0.0);
 
@@ -52,7 +55,13 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     block.texel[j] = vec4(0.0);
     block.weight[j] = 0.0;
   }
-  ivec2 parity = ivec2(base) - 1 - 2 * first_px;  // 0 or 1
+  int column[5];
+  int line[5];
+  for (int i = 0; i < 5; ++i) {
+    ivec2 of_px = ivec2(floor((base + float(i) - 0.5) * texel_px)) - first_px;
+    column[i] = of_px.x;
+    line[i] = 3 * of_px.y;
+  }
   // A row serves both texels beside each other, and both rows of texels.
   for (int y = 0; y < 5; ++y) {
     vec4 row[2] = vec4[2](vec4(0.0), vec4(0.0));
@@ -61,7 +70,7 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     for (int x = 0; x < 5; ++x) {
       int texel_x = int(clamp(base.x + float(x) - 1.0, 0.0, last_texel.x));
       vec4 value = texelFetch(history_image, ivec2(texel_x, texel_y), 0);
-      float v = valid[((y + parity.y) >> 1) * 3 + ((x + parity.x) >> 1)];
+      float v = valid[line[y] + column[x]];
       if (x < 4) {
         row[0] += wx[x] * v * value;
         row_weight.x += wx[x] * v;

@@ -61,7 +61,9 @@ void main() {
                       max(unpackedDepths(then.z).x, unpackedDepths(then.w).x));
   bool valid = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px) &&
                1.0 / expected + slope >= (1.0 - k.depth_tolerance) * nearest;
-  vec3 predicted = sanitizedColor(textureLod(history_image, uv, 0.0).rgb * k.frame.exposure_ratio);
+  vec2 history_px = inside_px * (k.previous_output_extent_px / k.frame.previous_extent_px);
+  vec3 predicted = sanitizedColor(
+      textureLod(history_image, history_px * k.output_texel_uv, 0.0).rgb * k.frame.exposure_ratio);
 
   // What lay farthest here lately, as it would be seen now.
   bool seen = k.frame.has_history > 0.5 && isOnScreen(previous_px, k.frame.previous_extent_px);

@@ -25,27 +25,14 @@ constexpr uint32_t kLightShader[] = {
 constexpr uint32_t kAccumulateShader[] = {
 #include "accumulate.comp.inc"
 };
-constexpr uint32_t kOutputShader[] = {
-#include "output.comp.inc"
-};
 
 // Of R2's cycle, whatever the ratio: as the setting's own limit.
 constexpr double kMaxJitterLength = 1024.0;
 // History texels a pixel and axis.
 constexpr uint32_t kTexels = 2;
-// What a frame adds to the samples held by the four texels of a pixel, together.
-constexpr float kFrameWeight = 2.0f;
-// A texel far from the sample still learns a little: 0 / 0 otherwise.
-constexpr float kSmallestWeight = 1.0e-3f;
-
 VkExtent2D tileExtent(VkExtent2D pixels) {
   return {(pixels.width + kTileSize_px - 1) / kTileSize_px,
           (pixels.height + kTileSize_px - 1) / kTileSize_px};
-}
-
-bool upsamples(const FrameState& state) {
-  return state.output_extent.width != state.input_extent.width ||
-         state.output_extent.height != state.input_extent.height;
 }
 
 // Output pixels an input pixel.
@@ -54,27 +41,15 @@ double areaRatio(VkExtent2D input, VkExtent2D output) {
          (static_cast<double>(input.width) * input.height);
 }
 
-RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_extent) {
+eq::vec2 toVec2(VkExtent2D extent) {
+  return eq::vec2(static_cast<float>(extent.width), static_cast<float>(extent.height));
+}
+
+RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_extent,
+                                  VkExtent2D output_extent) {
   const Settings& s = state.settings;
-  // Finer pixels of the output want narrower samples; as narrow as they are, too few would reach
-  // them: the geometric mean.
-  const auto width_px = static_cast<float>(
-      s.real(kSampleWidth) / std::pow(areaRatio(state.input_extent, state.output_extent), 0.25));
   RepriseConstants constants{};
   constants.frame = frameConstants(state, pixel_extent);
-  float* weights[] = {&constants.texel_weights.x, &constants.texel_weights.y,
-                      &constants.texel_weights.z, &constants.texel_weights.w};
-  for (int i = 0; i < 4; ++i) {
-    // The sample lies at -jitter from the pixel's centre, texels at a quarter pixel from it.
-    const float dx_px = (i & 1 ? 0.25f : -0.25f) + state.jitter_px.x;
-    const float dy_px = (i >> 1 ? 0.25f : -0.25f) + state.jitter_px.y;
-    *weights[i] = eq::gaussianFilter(std::sqrt(dx_px * dx_px + dy_px * dy_px), width_px);
-    *weights[i] = std::max(*weights[i], kSmallestWeight);
-  }
-  // Every sample counts as much as every other, wherever it lies: at rest their mean has no
-  // weights.
-  const float sum = *weights[0] + *weights[1] + *weights[2] + *weights[3];
-  for (float* weight : weights) *weight *= kFrameWeight / sum;
   const VkExtent2D tiles = tileExtent(pixel_extent);
   const VkExtent2D used = tileExtent(state.input_extent);
   constants.tile_uv = eq::vec2(1.0f / static_cast<float>(tiles.width * kTileSize_px),
@@ -82,9 +57,11 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.last_tile_uv =
       eq::vec2((static_cast<float>(used.width) - 0.5f) / static_cast<float>(tiles.width),
                (static_cast<float>(used.height) - 0.5f) / static_cast<float>(tiles.height));
-  constants.output_extent_px = eq::vec2(static_cast<float>(state.output_extent.width),
-                                        static_cast<float>(state.output_extent.height));
-  constants.upsamples = upsamples(state) ? 1.0f : 0.0f;
+  constants.output_extent_px = toVec2(state.output_extent);
+  constants.previous_output_extent_px = toVec2(state.previous_output_extent);
+  constants.output_texel_uv = eq::vec2(1.0f / static_cast<float>(output_extent.width),
+                                       1.0f / static_cast<float>(output_extent.height));
+  constants.sample_width = s.real(kSampleWidth);
   constants.history = s.real(kHistory);
   constants.still_history = s.real(kStillHistory);
   constants.bound = s.real(kBound);
@@ -115,10 +92,11 @@ class RepriseTechnique final : public Technique {
 
   void declare(Declaration& d) override {
     pixel_extent_ = d.max_input_extent;
-    const VkExtent2D fine = {pixel_extent_.width * kTexels, pixel_extent_.height * kTexels};
+    output_extent_ = d.max_output_extent;
+    const VkExtent2D fine = {output_extent_.width * kTexels, output_extent_.height * kTexels};
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, fine, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_UINT, pixel_extent_, 2);
-    change_ = d.history("history change", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 2);
+    change_ = d.history("history change", VK_FORMAT_R16G16B16A16_SFLOAT, output_extent_, 2);
     predicted_ = d.history("predicted color", VK_FORMAT_R16G16B16A16_SFLOAT, pixel_extent_, 1);
     const VkExtent2D tiles = tileExtent(pixel_extent_);
     came_ = d.history("tile samples", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
@@ -153,11 +131,6 @@ class RepriseTechnique final : public Technique {
                              Binding::kStorage, Binding::kConstants},
                 .constant_bytes = sizeof(RepriseConstants),
                 .specialization = {}});
-    output_pass_ = d.pass({.name = "output",
-                           .spirv = kOutputShader,
-                           .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
-                           .constant_bytes = sizeof(RepriseConstants),
-                           .specialization = {}});
   }
 
   void record(Recorder& recorder, const FrameState& state) override {
@@ -168,7 +141,7 @@ class RepriseTechnique final : public Technique {
     const HistoryImage& came = recorder.history(came_);
     const HistoryImage& gain = recorder.history(gain_);
     const HistoryImage& told = recorder.history(told_);
-    const RepriseConstants constants = repriseConstants(state, pixel_extent_);
+    const RepriseConstants constants = repriseConstants(state, pixel_extent_, output_extent_);
     const uint64_t n = state.record;
     recorder.pass(predict_pass_)
         .read(state.frame.depth)
@@ -208,20 +181,12 @@ class RepriseTechnique final : public Technique {
         .write(change.current(n))
         .write(state.frame.output.view)
         .constants(constants)
-        .dispatch(state.input_extent);
-    if (!upsamples(state)) {
-      recorder.pass(output_pass_).skip();
-      return;
-    }
-    recorder.pass(output_pass_)
-        .read(color.current(n))
-        .write(state.frame.output.view)
-        .constants(constants)
         .dispatch(state.output_extent);
   }
 
  private:
   VkExtent2D pixel_extent_{};
+  VkExtent2D output_extent_{};
   HistoryHandle color_ = 0;
   HistoryHandle depth_ = 0;
   HistoryHandle change_ = 0;
@@ -234,7 +199,6 @@ class RepriseTechnique final : public Technique {
   PassHandle tile_pass_ = 0;
   PassHandle light_pass_ = 0;
   PassHandle accumulate_pass_ = 0;
-  PassHandle output_pass_ = 0;
 };
 
 constexpr RepriseTechniqueInfo kInfo = {

@@ -22,11 +22,12 @@ REPRISE_NUMBER float kSmallestSquare = 1.0f / 65025.0f;
 
 struct RepriseConstants {
   FrameConstants frame;
-  vec4 texel_weights;  // of this frame's sample for the four texels of its pixel
-  vec2 tile_uv;        // pixel to coordinate of the tile images
-  vec2 last_tile_uv;   // coordinate of the last tile's centre
   vec2 output_extent_px;
-  float upsamples;  // 1: the output's extent is not the input's
+  vec2 previous_output_extent_px;
+  vec2 output_texel_uv;  // 1 / largest extent of the output
+  vec2 tile_uv;          // pixel to coordinate of the tile images
+  vec2 last_tile_uv;     // coordinate of the last tile's centre
+  float sample_width;    // output px
   float bound_uncovered;
   float history;  // samples a texel's mean goes on to in motion
   float still_history;

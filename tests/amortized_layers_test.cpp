@@ -130,6 +130,23 @@ TEST_F(Layers, MainAndDeferredLightMakeTheWhole) {
   EXPECT_GT(psnrDb(meanSquaredError(displayImage(whole), displayImage(composed))), 30.0);
 }
 
+TEST_F(Layers, ShadedAtOnePositionTheyAreExactlyTheWhole) {
+  SceneSourceOptions options = optionsOf(1);
+  const FloatImage whole = lastImage(boardRun("still"), options, "none");
+  options.switches.defer_lights = true;
+  options.switches.late_positions = 1;
+  const FloatImage composed = lastImage(boardRun("still"), options, "none");
+  const FloatImage late = lateLight(options);
+  uint32_t reached = 0;
+  for (size_t i = 0; i < whole.texels.size(); ++i) {
+    if (i % 4 == 3) continue;
+    if (late.texels[i] > 0.0f) ++reached;
+    // The gain is kept in half precision.
+    ASSERT_NEAR(composed.texels[i], whole.texels[i], 2.0e-3f * (0.01f + whole.texels[i])) << i;
+  }
+  EXPECT_GT(reached, 1000u);
+}
+
 TEST_F(Layers, WhereNoDeferredLightFallsNothingChanges) {
   SceneSourceOptions options = optionsOf(1);
   const FloatImage whole = lastImage(boardRun("still"), options, "none");

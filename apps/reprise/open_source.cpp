@@ -27,8 +27,12 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
       ->check(CLI::Range(-8.0f, 8.0f))
       ->capture_default_str();
   verb.add_flag("--defer-lights", defer_lights,
-                "scenes: lights of the deferred layer are kept from the technique, shaded at each "
-                "pixel's centre in every frame, and added to its result");
+                "scenes: lights of the deferred layer are kept from the technique, shaded in every "
+                "frame at --late-positions of each pixel, and added to its result");
+  verb.add_option("--late-positions", late_positions,
+                  "scenes: at how many places of a pixel deferred lights are shaded")
+      ->check(CLI::IsMember({1u, 4u}))
+      ->capture_default_str();
   verb.add_option("--texture-filter", texture_filter,
                   "scenes: aniso16, trilinear, or none (no mip levels, bilinear)")
       ->check(CLI::IsMember({"aniso16", "trilinear", "none"}))
@@ -73,6 +77,7 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.switches.unjitter_textures = unjitter_textures;
   options.switches.mip_bias = mip_bias;
   options.switches.defer_lights = defer_lights;
+  options.switches.late_positions = late_positions;
   options.switches.samples = samples_a_pixel;
   options.switches.texture_filter = texture_filter == "none"        ? lab::TextureFilter::kNone
                                     : texture_filter == "trilinear" ? lab::TextureFilter::kTrilinear

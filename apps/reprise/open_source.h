@@ -22,6 +22,7 @@ struct SceneFlags {
   std::string cache;
   bool unjitter_textures = false;
   bool defer_lights = false;
+  uint32_t late_positions = 4;
   bool shading_only = false;
   std::string reference_coverage = "pixel";
   float mip_bias = 0.0f;

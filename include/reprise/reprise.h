@@ -333,7 +333,9 @@ typedef struct RepriseFrame {
   // positions (VkPhysicalDeviceLimits::standardSampleLocations). Coverage of silhouettes.
   RepriseImage depth_samples;
   // Optional: motion_back[a - 1] is the motion to the frame a frames back, scaled by motion_scale,
-  // free of jitter whatever the context's flags say; entries without a view are not given.
+  // free of jitter whatever the context's flags say; entries without a view are not given. An image
+  // of four channels holds in its third and fourth the view depths that the pixel's surface has now
+  // and had then (0: not known): they part what moves by itself from what it moves close to.
   const RepriseImage* motion_back;
   uint32_t motion_back_count;  // [0, REPRISE_MAX_MOTION_BACK]
   VkQueryPool timestamps;      // optional: 2 * repriseGetPassCount queries are written,

@@ -170,6 +170,7 @@ struct CoarseConstants {
 
 struct LateConstants {
   vec2 jitter_px;
+  uint positions;  // 1 or 4
 };
 
 struct ServeConstants {

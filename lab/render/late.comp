@@ -19,9 +19,13 @@ layout(push_constant) uniform Push {
 
 // Yang et al. 2009, section 1: such layers are sampled once a pixel, or supersampled. It is the
 // mask's edges and the surface's bumps that alias in what the quotient leaves.
-const int kPositions = 4;
-const vec2 kPositions_px[kPositions] =
+const int kMostPositions = 4;
+const vec2 kPositions_px[kMostPositions] =
     vec2[](vec2(-0.125, -0.375), vec2(0.375, -0.125), vec2(0.125, 0.375), vec2(-0.375, 0.125));
+
+vec2 offsetOf(int position) {
+  return push.positions > 1u ? kPositions_px[position] : vec2(0.0);
+}
 
 bool hiddenLightReaches(vec3 position_world) {
   for (uint i = 0u; i < frame.light_count; ++i) {
@@ -37,24 +41,25 @@ void main() {
   if (any(greaterThanEqual(px, ivec2(frame.extent_px)))) return;
 
   shown_light_layers = kLightLayerMain;
+  int positions = int(push.positions);
   vec2 center_px = vec2(px) + 0.5 - push.jitter_px;
   selectLightTile(px);
   VisibleTriangle seen;
   bool reached = false;
   if (fetchTriangle(px, seen)) {
-    for (int i = 0; i < kPositions; ++i) {
-      reached = reached ||
-                hiddenLightReaches(surfaceAt(seen, center_px + kPositions_px[i]).position_world);
+    for (int i = 0; i < positions; ++i) {
+      reached =
+          reached || hiddenLightReaches(surfaceAt(seen, center_px + offsetOf(i)).position_world);
     }
   }
   vec4 gain = vec4(0.0, 0.0, 0.0, kLeastShownLight);
   if (reached) {
     vec3 shown = vec3(0.0);
-    for (int i = 0; i < kPositions; ++i) shown += shadeTriangle(seen, center_px + kPositions_px[i]);
-    const float kShare = 1.0 / float(kPositions);
-    gain.a = hiddenBase(kShare * shown_gleam, kShare * hidden_light);
-    gain.rgb = hiddenGain(kShare * shown, kShare * hidden_light, gain.a);
+    for (int i = 0; i < positions; ++i) shown += shadeTriangle(seen, center_px + offsetOf(i));
+    float share = 1.0 / float(positions);
+    gain.a = hiddenBase(share * shown_gleam, share * hidden_light);
+    gain.rgb = hiddenGain(share * shown, share * hidden_light, gain.a);
   }
-  countEvaluations(reached ? uint(kPositions) : 0u);
+  countEvaluations(reached ? push.positions : 0u);
   imageStore(late_image, px, gain);
 }

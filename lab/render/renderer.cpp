@@ -278,7 +278,8 @@ void Renderer::recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px,
 void Renderer::prepareMotionBack() {
   for (Image& image : motion_back_) {
     if (image.view() != VK_NULL_HANDLE) continue;
-    image = Image(device_, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent_});
+    // With view depths: see RepriseFrame::motion_back.
+    image = Image(device_, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = extent_});
   }
 }
 
@@ -382,9 +383,9 @@ void Renderer::prepareLate() {
                                            .specialization = shadeSpecialization(false)});
 }
 
-void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const {
+void Renderer::recordLate(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t positions) const {
   late_program_.dispatch(commands, extent_, followedBy(shadingBindings(), {stored(late_)}),
-                         LateConstants{{jitter_px.x, jitter_px.y}});
+                         LateConstants{{jitter_px.x, jitter_px.y}, positions});
   fullBarrier(commands);
 }
 

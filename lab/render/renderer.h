@@ -29,6 +29,7 @@ struct RenderSwitches {
   bool unjitter_textures = false;  // shade at the pixel centre although visibility is jittered
   float mip_bias = 0.0f;           // levels, added to the plan's
   bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
+  uint32_t late_positions = 4;     // a pixel, at which it is shaded: 1 (the centre) or 4
   TextureFilter texture_filter = TextureFilter::kAniso16;
   uint32_t samples = 1;  // a pixel, each with its own visibility and shading: 1, 2 or 4
   // Visibility stays at the pixel centre; only the shading position follows jitter and grid, on the
@@ -86,7 +87,7 @@ class Renderer {
   // The deferred layer of light, by equation hiddenGain, into late(). prepareLate must have been
   // called.
   void prepareLate();
-  void recordLate(VkCommandBuffer commands, eq::vec2 jitter_px) const;
+  void recordLate(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t positions) const;
   // Depth of four samples a pixel, into depthSamples(). prepareDepthSamples must have been called.
   void prepareDepthSamples();
   void recordDepthSamples(VkCommandBuffer commands, eq::vec2 jitter_px) const;

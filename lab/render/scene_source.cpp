@@ -176,7 +176,8 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     inputs.checkerboard = sampling.checkerboard;
   }
   if (defer) {
-    span("late light", [&] { renderer_.recordLate(commands, jitter_px); });
+    span("late light",
+         [&] { renderer_.recordLate(commands, jitter_px, options_.switches.late_positions); });
     inputs.late = &renderer_.late();
   }
 

@@ -42,7 +42,7 @@ void adaptive(PaperLab& lab, const Subject& subject, Outcome& outcome) {
   FloatImage shown_adaptive;
   FloatImage shown_single;
   lab.filter(
-      subject.moving, "amortized",
+      subject.moving, amortizedWith(0.0),
       [&](const FrameDone& done) {
         if (!counts(done.index)) return;
         const PixelMask& here = added[done.index] = addedEvaluations(scene.device(), done.inputs);
@@ -56,7 +56,7 @@ void adaptive(PaperLab& lab, const Subject& subject, Outcome& outcome) {
       },
       view);
   lab.filter(
-      subject.moving, "amortized:requests=false",
+      subject.moving, amortizedWith(0.0) + ",requests=false",
       [&](const FrameDone& done) {
         if (!counts(done.index)) return;
         const FloatImage display = displayImage(done.image);

@@ -97,6 +97,7 @@ class Amortized final : public Technique {
         .record = state.record,
         .quadrant = bufferLayout(bufferCount(state.settings)).quadrants[bufferWrittenBy(state)],
         .pre_exposure = state.frame.pre_exposure,
+        .jitter_px = state.jitter_px,
         .camera = {}};
     if (state.frame.camera != nullptr) written.camera = *state.frame.camera;
     past_.wrote(target, written);

@@ -38,18 +38,23 @@ void main() {
   ivec2 px = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(px, ivec2(k.frame.extent_px)))) return;
   Surface s = surfaceAt(px);
-  vec2 motions_px[4];
+  Way ways[4];
   vec4 chained[2];
-  motionsToBuffers(s, motions_px, chained);
+  waysToBuffers(s, ways, chained);
   uint mask = 0u;
   bool seen = false;
   for (uint b = 0u; b < kSlots; ++b) {
-    Gathered pixel = gatherBuffer(b, s, motions_px[b], vec2(0.0), 1.0);
-    seen = seen || pixel.weight > 0.0;
-    if (reprojectionFailed(pixel)) mask |= k.slots[b].quadrants;
+    SlotState state = k.slots[b];
+    Footprint f = footprintIn(state, state.place_age.xy, s, ways[b].motion_px, vec2(0.0));
+    vec4 w = tentWeights(f.point.x, f.point.y, kPixelTentRadius_px * f.growth);
+    float weight = 0.0;
+    if (f.readable) weight = dot(w, validTexels(depthsOf(b, f), f, state, s, ways[b]));
+    seen = seen || weight > 0.0;
+    if (reprojectionFailed(weight, sumOf(w))) mask |= state.quadrants;
   }
   if (k.quality > 0.0) {
-    mask = maskForQuality(mask, seen ? samplesBefore(count_image, newest_image, s) : 0.0);
+    float count = seen ? samplesBefore(count_image, previousOf(newest_image, s, ways)) : 0.0;
+    mask = maskForQuality(mask, count);
   }
   imageStore(failed_image, px, vec4(float(mask) / 16.0));
   if (mask == 0u) return;

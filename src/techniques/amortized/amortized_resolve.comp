@@ -28,13 +28,33 @@ layout(binding = 18) writeonly uniform image2D next_motion_image_1;
 layout(binding = 19) writeonly uniform image2D next_residual_image;
 layout(binding = 20) writeonly uniform image2D output_image;
 
-const float kPixelTentRadius_px = 1.0;
 // A pixel's tent averages 16 texels like 10.24 equal ones (the inverse sum of its squared weights
 // at rest), where N counts four: what a single sample weighs beside N.
 const float kTexelsAverage = 10.24 / 4.0;
 // Of a blurred pixel: one a pixel of motion, so that the tents overlap; longer motion is sampled
 // more sparsely.
 const int kMostShutterTaps = 16;
+
+// What a footprint of a buffer holds.
+struct Texels {
+  vec3 colors[4];
+  vec4 depths;
+};
+
+Texels texelsOf(uint b, Footprint f) {
+  Texels texels;
+  for (int i = 0; i < 4; ++i) {
+    vec4 texel = texelIn(b, texelOf(ivec2(f.base), i));
+    texels.colors[i] = texel.rgb;
+    texels.depths[i] = texel.a;
+  }
+  return texels;
+}
+
+vec3 weighted(Texels texels, vec4 w) {
+  return w.x * texels.colors[0] + w.y * texels.colors[1] + w.z * texels.colors[2] +
+         w.w * texels.colors[3];
+}
 
 float blurByte(ivec2 cell) {
   int index = cell.y * 64 + cell.x;
@@ -87,50 +107,80 @@ void main() {
 
   vec3 current = fetchColor(color_image, px, extent_px - 1);
   Surface s = surfaceAt(px);
-  vec2 motions_px[4];
+  Way ways[4];
   vec4 chained[2];
-  motionsToBuffers(s, motions_px, chained);
+  waysToBuffers(s, ways, chained);
 
-  // (16) for the buffer to be written and (20) for the pixel.
+  // (16) for the buffer to be written and (20) for the pixel, of the same texels: a buffer's tent
+  // reaches half a pixel from a quadrant, and so no farther than the pixel's own.
   vec3 target_sum = vec3(0.0);
   float target_weight = 0.0;
   vec3 pixel_sum = vec3(0.0);
   float pixel_weight = 0.0;
   for (uint b = 0u; b < kSlots; ++b) {
-    Gathered target = gatherBuffer(b, s, motions_px[b], k.target_px.xy, k.target_px.z);
-    target_sum += target.sum;
-    target_weight += target.weight;
+    SlotState state = k.slots[b];
+    Footprint f = footprintIn(state, state.place_age.xy, s, ways[b].motion_px, vec2(0.0));
+    if (!f.readable) continue;
+    Texels texels = texelsOf(b, f);
+    vec4 valid = validTexels(texels.depths, f, state, s, ways[b]);
+    vec2 target = f.point + f.column_x * k.target_px.x + f.column_y * k.target_px.y;
+    vec4 w = tentWeights(target.x, target.y, k.target_px.z * f.growth) * valid;
+    target_sum += state.exposure_ratio * weighted(texels, w);
+    target_weight += sumOf(w);
+    w = tentWeights(f.point.x, f.point.y, kPixelTentRadius_px * f.growth) * valid;
+    pixel_sum += state.exposure_ratio * weighted(texels, w);
+    pixel_weight += sumOf(w);
   }
   // What passes the pixel while the shutter is open, about the instant of the frame.
   float open_px = k.shutter * length(s.motion_px);
   int taps = clamp(int(ceil(open_px)), 1, kMostShutterTaps);
-  for (int tap = 0; tap < taps; ++tap) {
+  if (taps > 1) {
+    pixel_sum = vec3(0.0);
+    pixel_weight = 0.0;
+  }
+  for (int tap = 0; taps > 1 && tap < taps; ++tap) {
     float instant = (float(tap) + 0.5) / float(taps) - 0.5;
     vec2 offset_px = instant * k.shutter * s.motion_px;
     for (uint b = 0u; b < kSlots; ++b) {
-      Gathered pixel = gatherBuffer(b, s, motions_px[b], offset_px, kPixelTentRadius_px);
-      pixel_sum += pixel.sum;
-      pixel_weight += pixel.weight;
+      SlotState state = k.slots[b];
+      Footprint f = footprintIn(state, state.place_age.xy, s, ways[b].motion_px, offset_px);
+      if (!f.readable) continue;
+      Texels texels = texelsOf(b, f);
+      vec4 w = tentWeights(f.point.x, f.point.y, kPixelTentRadius_px * f.growth) *
+               validTexels(texels.depths, f, state, s, ways[b]);
+      pixel_sum += state.exposure_ratio * weighted(texels, w);
+      pixel_weight += sumOf(w);
     }
   }
   bool seen_before = pixel_weight > 1.0e-4;
 
+  // Served requests (section 5.3), an evaluation at each of some quadrants.
+  vec4 extra = k.extra_given > 0.5 ? texelFetch(extra_image, px, 0) : vec4(0.0);
+  extra.rgb = sanitizedColor(extra.rgb);
+  // A buffer that finds nothing under its tent begins with all that this frame has, and they count
+  // in N: spread over the pixel, they blur no more than tau_b lets a moving estimate.
+  bool begins = target_weight <= 1.0e-4;
+  float begun = begins ? extra.a : 0.0;
+
   // Weight of the new sample (26): in the pixel, beta; in its buffer, alpha.
-  float count = seen_before ? samplesBefore(count_image, newest_image, s) : 0.0;
+  Previous previous = previousOf(newest_image, s, ways);
+  float count = seen_before ? samplesBefore(count_image, previous) : 0.0;
   float bound = 0.0;
   if (seen_before) bound = blurBound(s.motion_px);
   float change_bound = 0.0;
   vec4 residuals = vec4(0.0);
   if (kResiduals != 0u && seen_before) {
-    vec2 previous_uv =
-        clamp(previousPx(s), vec2(0.5), k.frame.extent_px - 0.5) * k.frame.history_texel_uv;
-    residuals = unpackedResiduals(textureLod(residual_image, previous_uv, 0.0));
-    float smoothed = textureLod(smoothed_residual_image, previous_uv, 0.0).x;
+    float smoothed = 0.0;
+    for (int i = 0; i < 4; ++i) {
+      ivec2 texel = texelOf(previous.base, i);
+      residuals += previous.shares[i] * unpackedResiduals(texelFetch(residual_image, texel, 0));
+      smoothed += previous.shares[i] * texelFetch(smoothed_residual_image, texel, 0).x;
+    }
     change_bound = residualBound(smoothed, k.residual_tolerance);
   }
   // The table holds the weight in the buffer, K times the paper's; (27) is that in the pixel.
   bound = max(bound, min(k.buffer_count * change_bound, 1.0));
-  float beta = max(1.0 / (count + 1.0), max(bound / k.buffer_count, change_bound));
+  float beta = max(1.0 / (count + begun + 1.0), max(bound / k.buffer_count, change_bound));
   // On a view at rest beta says 1/t; the buffer's own mean over its n writes is exact with 1/n.
   float alpha = clamp(max(1.0 / (writesAmong(count) + 1.0), bound), 0.0, 1.0);
   if (k.fixed_alpha > 0.0) {
@@ -142,31 +192,28 @@ void main() {
     beta = 1.0;
   }
 
-  // (12). Without a valid texel under the tent the buffer starts anew.
-  vec3 estimate = current;
+  // (12)
+  vec3 estimate = (current + begun / max(extra.a, 1.0) * extra.rgb) / (1.0 + begun);
   float residual = 0.0;
-  if (target_weight > 1.0e-4) {
+  if (!begins) {
     vec3 reconstructed = target_sum / target_weight;
     residual = luminance(current) - luminance(reconstructed);
     estimate = mix(reconstructed, current, alpha);
   }
 
-  // (20), with served requests in the place of buffers whose reprojection failed (section 5.3). The
-  // new sample stands for one instant of those that the shutter sees; where nothing else is known,
-  // it is one among the served ones.
+  // (20), with served requests in the place of buffers whose reprojection failed. The new sample
+  // stands for one instant of those that the shutter sees; where nothing else is known, it is one
+  // among the served ones.
   float share = alpha / (k.buffer_count * float(taps));
-  if (k.extra_given > 0.5) {
-    vec4 extra = texelFetch(extra_image, px, 0);
-    if (extra.a > 0.0) {
-      // Asked for to hold a quality, one is a sample beside those that the buffers hold.
-      float each = 1.0;
-      if (k.quality > 0.0 && seen_before) {
-        each = min(pixel_weight / (kTexelsAverage * max(count, 1.0)), 1.0);
-      }
-      pixel_sum += each * sanitizedColor(extra.rgb);
-      pixel_weight += each * extra.a;
-      if (!seen_before) share = 1.0 / (1.0 + extra.a);
+  if (extra.a > 0.0) {
+    // Asked for to hold a quality, one is a sample beside those that the buffers hold.
+    float each = 1.0;
+    if (k.quality > 0.0 && seen_before) {
+      each = min(pixel_weight / (kTexelsAverage * max(count, 1.0)), 1.0);
     }
+    pixel_sum += each * extra.rgb;
+    pixel_weight += each * extra.a;
+    if (!seen_before) share = 1.0 / (1.0 + extra.a);
   }
   vec3 pixel = current;
   if (pixel_weight > 1.0e-4) pixel = mix(pixel_sum / pixel_weight, current, share);
@@ -175,7 +222,8 @@ void main() {
   // 0 says "never written": the nearest surface is a little in front of the eye.
   float stored_depth = clamp(depthAt(px, extent_px - 1), 1.0e-6, kFarthestHalf);
   imageStore(next_buffer_image, px, vec4(stored, stored_depth));
-  float next_count = seen_before ? min(varianceReduction(count, beta), k.max_samples) : 1.0;
+  float next_count = 1.0 + begun;
+  if (seen_before) next_count = min(varianceReduction(count + begun, beta), k.max_samples);
   imageStore(next_count_image, px, vec4(next_count));
   if (kExactMotion == 0u) {
     imageStore(next_motion_image_0, px, chained[0]);

@@ -76,10 +76,10 @@ constexpr auto kSettings = settingTable({
                   "silhouettes by hardware multisampling: RepriseFrame::depth_samples says which "
                   "share of a pixel each neighbouring surface covers; costs 8 bytes a pixel",
                   "Yang et al. 2009, sections 1 and 8: framebuffer multisampling for silhouettes"),
-    numberSetting(kDepthTolerance, "depth_tolerance", 0.003, 0.001, 1.0, "relative",
-                  "relative difference of depths, beyond the surface's slope, that is still the "
-                  "same surface",
-                  "six times the 2^-11 of a depth in half precision; README.md, depth tolerance"),
+    numberSetting(kDepthTolerance, "depth_tolerance", 0.001, 0.0005, 1.0, "relative",
+                  "relative distance from the plane through the pixel that is still the same "
+                  "surface",
+                  "twice the 2^-11 of a depth in half precision; README.md, depth test"),
 });
 static_assert(kSettings.size() == kSettingCount);
 

@@ -7,6 +7,7 @@
 #ifdef __cplusplus
 namespace reprise::amortized {
 using eq::uint;
+using eq::vec2;
 using eq::vec4;
 #endif
 
@@ -22,8 +23,7 @@ struct SlotState {
   vec4 depth_coefficients;  // eq. expectedPreviousDepth, to the frame that wrote it
   float exposure_ratio;     // its colour * ratio has this frame's exposure
   uint quadrants;           // to be asked for where reprojection to it fails, as bits
-  float padding_0;
-  float padding_1;
+  vec2 jitter_px;           // of the frame that wrote it: its depths lie at the centre minus this
 };
 
 struct AmortizedConstants {

@@ -22,6 +22,7 @@ class BufferHistory {
     uint64_t record;
     uint32_t quadrant;  // where its samples lie, eq. quadrantOffset
     float pre_exposure;
+    eq::vec2 jitter_px;
     std::optional<RepriseCamera> camera;
   };
 

@@ -38,6 +38,7 @@ AmortizedConstants ConstantsBuilder::of(const BufferHistory& past, const FrameSt
     to.place_age =
         eq::vec4(place.x, place.y, static_cast<float>(past.ageOf(slot, state.record)), 1.0f);
     if (past.ageOf(slot, state.record) == 1) constants.previous_slot = static_cast<float>(slot);
+    to.jitter_px = written.jitter_px;
     to.exposure_ratio = state.frame.pre_exposure / written.pre_exposure;
     if (state.frame.camera != nullptr && written.camera.has_value()) {
       to.depth_coefficients = eq::previousDepthCoefficients(

@@ -40,16 +40,35 @@ layout(binding = kConstantsBinding, std140) uniform Constants {
 const float kFarthestHalf = 65504.0;
 // Changes of motion from pixel to pixel beyond this are silhouettes, not the surface's own.
 const float kSteepestMotion = 0.5;
+// A Jacobian flatter than this is not inverted: the surface is seen edge-on.
+const float kFlattest = 0.05;
+// Depths of one surface may leave the plane through its pixel by this share of its slope.
+const float kBend = 0.25;
+// The pixel's own tent (20), twice as wide as a buffer's.
+const float kPixelTentRadius_px = 1.0;
 
 struct Surface {
   ivec2 px;
   vec2 center_px;
   float view_depth;
-  vec2 depth_slope;  // change of depth over a pixel of the surface
+  // Inverse depth is linear over a plane's pixels: at `depth_px`, free of jitter, and its change
+  // from pixel to pixel.
+  float inverse_depth;
+  vec2 depth_px;
+  vec2 inverse_slope;
   float depth_span;  // silhouettes: how far behind it the farthest of 3x3 lies
   vec2 motion_px;    // to the previous frame
   vec2 motion_dx;    // d motion_px / d px.x on the surface
   vec2 motion_dy;
+};
+
+// The way from a pixel's surface to one of the buffers.
+struct Way {
+  vec2 motion_px;
+  // View depth then, beyond that of a point at rest; where the host does not say it
+  // (`shift_known` 0), anything between that and the depth now is the same surface.
+  float depth_shift;
+  float shift_known;
 };
 
 float depthAt(ivec2 px, ivec2 last_px) {
@@ -82,17 +101,19 @@ Surface surfaceAt(ivec2 px) {
     }
   }
   s.depth_span = farthest - s.view_depth;
+  s.inverse_depth = 1.0 / s.view_depth;
+  s.depth_px = vec2(at_px) + 0.5 - k.frame.jitter_px;
   s.motion_px = motionAt(at_px, last_px);
   vec2 steps[2];
   for (int axis = 0; axis < 2; ++axis) {
     ivec2 step_px = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    float ahead = depthAt(at_px + step_px, last_px) - s.view_depth;
-    float behind = s.view_depth - depthAt(at_px - step_px, last_px);
+    float ahead = 1.0 / depthAt(at_px + step_px, last_px) - s.inverse_depth;
+    float behind = s.inverse_depth - 1.0 / depthAt(at_px - step_px, last_px);
     // At the frame's border the clamped neighbour is the pixel itself: no difference to go by.
     bool first = any(lessThan(at_px - step_px, ivec2(0)));
     bool last = any(greaterThan(at_px + step_px, last_px));
     bool forward = !last && (first || abs(ahead) <= abs(behind));
-    s.depth_slope[axis] = forward ? ahead : behind;
+    s.inverse_slope[axis] = forward ? ahead : behind;
     steps[axis] = forward ? motionAt(at_px + step_px, last_px) - s.motion_px
                           : s.motion_px - motionAt(at_px - step_px, last_px);
     steps[axis] = clamp(steps[axis], vec2(-kSteepestMotion), vec2(kSteepestMotion));
@@ -116,140 +137,172 @@ vec4 chainedMotion(Surface s, sampler2D past, uint first) {
   return s.motion_px.xyxy + before;
 }
 
-vec2 exactMotion(Surface s, uint buffer_index) {
-  vec2 texel = vec2(0.0);
-  if (buffer_index == 0u) texel = texelFetch(past_motion_0, s.px, 0).xy;
-  if (buffer_index == 1u) texel = texelFetch(past_motion_1, s.px, 0).xy;
-  if (buffer_index == 2u) texel = texelFetch(past_motion_2, s.px, 0).xy;
-  if (buffer_index == 3u) texel = texelFetch(past_motion_3, s.px, 0).xy;
-  vec2 motion_px = texel * k.frame.motion_scale;
+Way exactWay(Surface s, uint b) {
+  vec4 texel = vec4(0.0);
+  if (b == 0u) texel = texelFetch(past_motion_0, s.px, 0);
+  if (b == 1u) texel = texelFetch(past_motion_1, s.px, 0);
+  if (b == 2u) texel = texelFetch(past_motion_2, s.px, 0);
+  if (b == 3u) texel = texelFetch(past_motion_3, s.px, 0);
+  vec2 motion_px = texel.xy * k.frame.motion_scale;
   bool valid = abs(motion_px.x) < kMaxMotion_px && abs(motion_px.y) < kMaxMotion_px;
-  return valid ? motion_px : vec2(2.0 * kMaxMotion_px);
+  Way way = Way(valid ? motion_px : vec2(2.0 * kMaxMotion_px), 0.0, 0.0);
+  // Images of two channels read 0 in the third.
+  if (texel.z > 0.0) {
+    vec2 at_px = s.center_px - k.frame.jitter_px;
+    way.depth_shift =
+        texel.w - expectedPreviousDepth(k.slots[b].depth_coefficients, at_px, texel.z);
+    way.shift_known = 1.0;
+  }
+  return way;
 }
 
 // pi_{t-a}(center) of each buffer, minus the centre.
-void motionsToBuffers(Surface s, out vec2 motions_px[4], out vec4 chained[2]) {
+void waysToBuffers(Surface s, out Way ways[4], out vec4 chained[2]) {
   chained[0] = vec4(0.0);
   chained[1] = vec4(0.0);
   if (kExactMotion != 0u) {
-    for (uint b = 0u; b < kSlots; ++b) motions_px[b] = exactMotion(s, b);
+    for (uint b = 0u; b < kSlots; ++b) ways[b] = exactWay(s, b);
     return;
   }
   chained[0] = chainedMotion(s, past_motion_0, 0u);
-  motions_px[0] = chained[0].xy;
-  motions_px[1] = chained[0].zw;
+  ways[0] = Way(chained[0].xy, 0.0, 0.0);
+  ways[1] = Way(chained[0].zw, 0.0, 0.0);
   if (kSlots > 2u) {
     chained[1] = chainedMotion(s, past_motion_1, 2u);
-    motions_px[2] = chained[1].xy;
-    motions_px[3] = chained[1].zw;
+    ways[2] = Way(chained[1].xy, 0.0, 0.0);
+    ways[3] = Way(chained[1].zw, 0.0, 0.0);
   }
 }
 
-// Which of four texels, whose first is at `base`, show the surface; `depths` is what they hold, and
-// `state` of the frame that wrote them. 1 or 0 each.
-vec4 validTexels(vec4 depths, vec2 base, SlotState state, Surface s, vec2 offset_px) {
-  float view_depth = s.view_depth + dot(s.depth_slope, offset_px);
-  float expected = expectedPreviousDepth(state.depth_coefficients,
-                                         s.center_px - k.frame.jitter_px + offset_px, view_depth);
-  expected = min(expected, kFarthestHalf);
-  // Only the camera's motion is known to it. What moves by itself may have kept its depth, as a
-  // horse does that the camera runs beside: anything between the two is the same surface.
-  float same_depth = min(view_depth, kFarthestHalf);
-  // A slanted surface differs from texel to texel by its slope; a half adds its rounding.
-  vec4 slack =
-      vec4(k.depth_tolerance * expected + 1.5 * (abs(s.depth_slope.x) + abs(s.depth_slope.y)));
-  vec4 nearer = vec4(min(expected, same_depth)) - depths;
-  vec4 farther = depths - vec4(max(expected, same_depth));
+// Four texels of a buffer about the surface's place in it.
+struct Footprint {
+  vec2 base;      // the first of them
+  vec2 point;     // (14), from it
+  vec2 column_x;  // of the Jacobian, which is that of one frame, carried on over the buffer's age
+  vec2 column_y;
+  float growth;  // (15)
+  bool readable;
+};
+
+Footprint footprintIn(SlotState state, vec2 place_px, Surface s, vec2 motion_px, vec2 offset_px) {
+  Footprint f;
+  float age = state.place_age.z;
+  f.column_x = vec2(1.0, 0.0) + age * s.motion_dx;
+  f.column_y = vec2(0.0, 1.0) + age * s.motion_dy;
+  vec2 there_px = s.center_px + motion_px + f.column_x * offset_px.x + f.column_y * offset_px.y;
+  f.readable = state.place_age.w > 0.5 && isOnScreen(there_px, k.frame.extent_px);
+  vec2 point = there_px - place_px - 0.5;
+  f.base = floor(point);
+  f.point = point - f.base;
+  f.growth = tentGrowth(f.column_x, f.column_y);
+  return f;
+}
+
+// Which of a footprint's texels show the surface; `depths` is what they hold. Each is 1 or 0.
+vec4 validTexels(vec4 depths, Footprint f, SlotState state, Surface s, Way way) {
+  // Where the texels' depths were sampled, as pixels of this frame: the inverse of the Jacobian
+  // takes them there.
+  float determinant = f.column_x.x * f.column_y.y - f.column_x.y * f.column_y.x;
+  bool upright = determinant > kFlattest;
+  vec2 row_x = upright ? vec2(f.column_y.y, -f.column_y.x) / determinant : vec2(1.0, 0.0);
+  vec2 row_y = upright ? vec2(-f.column_x.y, f.column_x.x) / determinant : vec2(0.0, 1.0);
+  vec2 from_px = f.base + 0.5 - state.jitter_px - s.center_px - way.motion_px;
+  float steepness = abs(s.inverse_slope.x) + abs(s.inverse_slope.y);
+  vec4 nearest;
+  vec4 farthest;
+  for (int i = 0; i < 4; ++i) {
+    vec2 step_px = from_px + vec2(i & 1, i >> 1);
+    vec2 at_px = s.center_px + vec2(dot(row_x, step_px), dot(row_y, step_px));
+    float inverse = s.inverse_depth + dot(s.inverse_slope, at_px - s.depth_px);
+    // Beyond a plane's horizon it is as far as can be.
+    float now = 1.0 / max(inverse, 1.0 / kMaxViewDepth);
+    float at_rest = expectedPreviousDepth(state.depth_coefficients, at_px, now);
+    // Only the camera's motion is known to it. What moves by itself may have kept its depth, as a
+    // horse does that the camera runs beside.
+    float moved = way.shift_known > 0.5 ? at_rest + way.depth_shift : now;
+    float other = way.shift_known > 0.5 ? moved : at_rest;
+    nearest[i] = min(moved, other);
+    farthest[i] = max(moved, other);
+  }
+  nearest = min(nearest, vec4(kFarthestHalf));
+  farthest = min(farthest, vec4(kFarthestHalf));
+  // What a surface bends within the footprint, as a share of its slope.
+  vec4 tolerance = farthest * (k.depth_tolerance + kBend * steepness * farthest);
   // At a silhouette the jitter moves the edge across the pixel: what lies behind the edge now may
   // have been in the pixel then.
-  farther -= vec4(s.depth_span);
-  vec4 valid = mix(vec4(0.0), vec4(1.0), lessThanEqual(max(nearer, farther), slack));
+  vec4 off = max(nearest - depths, depths - farthest - vec4(s.depth_span));
+  vec4 valid = mix(vec4(0.0), vec4(1.0), lessThanEqual(off, tolerance));
   valid *= vec4(greaterThan(depths, vec4(0.0)));
   // Texels outside the frame hold nothing; the sampler would repeat the border.
   vec2 last = k.frame.extent_px - 1.0;
+  vec2 base = f.base;
   vec2 low = vec2(greaterThanEqual(base, vec2(0.0))) * vec2(lessThanEqual(base, last));
   vec2 high = vec2(greaterThanEqual(base + 1.0, vec2(0.0))) * vec2(lessThanEqual(base + 1.0, last));
   return valid * vec4(low.x * low.y, high.x * low.y, low.x * high.y, high.x * high.y);
 }
 
-// N of the previous frame where the surface was, from the texels of `counts` that show it;
-// `newest` is the buffer that frame wrote. 0 where none does.
-float samplesBefore(sampler2D counts, sampler2D newest, Surface s) {
-  vec2 previous_px = previousPx(s);
-  if (k.previous_slot < 0.0) {
-    vec2 inside_px = clamp(previous_px, vec2(0.5), k.frame.extent_px - 0.5);
-    return textureLod(counts, inside_px * k.frame.history_texel_uv, 0.0).x;
-  }
-  vec2 base = floor(previous_px - 0.5);
-  vec2 fraction = previous_px - 0.5 - base;
-  vec2 corner_uv = (base + 1.0) * k.frame.history_texel_uv;
-  vec4 depths = textureGather(newest, corner_uv, 3).wzxy;
-  vec4 w = tentWeights(fraction.x, fraction.y, 1.0) *
-           validTexels(depths, base, k.slots[int(k.previous_slot)], s, vec2(0.0));
-  float sum = w.x + w.y + w.z + w.w;
-  return sum > 0.0 ? dot(w, textureGather(counts, corner_uv, 0).wzxy) / sum : 0.0;
+vec4 depthsIn(sampler2D image, Footprint f) {
+  return textureGather(image, (f.base + 1.0) * k.frame.history_texel_uv, 3).wzxy;
 }
 
-// What one buffer gives to a gather: the sum over its texels, and the sum of their weights.
-struct Gathered {
-  vec3 sum;
-  float weight;
-  float weight_unseen;  // of texels that the depth test took out
+// Texels of the previous frame that show the surface, with their shares: of N, of residuals.
+struct Previous {
+  ivec2 base;
+  vec4 shares;  // sum 1, or 0 where none does
 };
 
-Gathered gatherFrom(sampler2D image, Surface s, uint b, vec2 motion_px, vec2 offset_px,
-                    float radius_px) {
-  Gathered none = Gathered(vec3(0.0), 0.0, 1.0);
-  SlotState state = k.slots[b];
-  if (state.place_age.w < 0.5) return none;
-  float age = state.place_age.z;
-  // J is that of one frame, carried on over the buffer's age.
-  vec2 column_x = vec2(1.0, 0.0) + age * s.motion_dx;
-  vec2 column_y = vec2(0.0, 1.0) + age * s.motion_dy;
-  vec2 there_px = s.center_px + motion_px + column_x * offset_px.x + column_y * offset_px.y;
-  if (!isOnScreen(there_px, k.frame.extent_px)) return none;
-
-  vec2 point = there_px - state.place_age.xy - 0.5;  // (14), in texels
-  vec2 base = floor(point);
-  vec2 fraction = point - base;
-  vec4 w = tentWeights(fraction.x, fraction.y, radius_px * tentGrowth(column_x, column_y));
-
-  vec4 depths = textureGather(image, (base + 1.0) * k.frame.history_texel_uv, 3).wzxy;
-  vec4 valid = validTexels(depths, base, state, s, offset_px);
-
-  float full = w.x + w.y + w.z + w.w;
-  vec4 kept = w * valid;
-  Gathered gathered;
-  gathered.weight = kept.x + kept.y + kept.z + kept.w;
-  gathered.weight_unseen = full - gathered.weight;
-  if (gathered.weight <= 0.0) return Gathered(vec3(0.0), 0.0, full > 0.0 ? full : 0.0);
-  vec3 mean;
-  if (gathered.weight_unseen <= 0.0) {
-    vec2 at = base + 0.5 + bilinearFraction(w);
-    mean = textureLod(image, at * k.frame.history_texel_uv, 0.0).rgb;
-  } else {
-    ivec2 texel = ivec2(base);
-    ivec2 limit = ivec2(k.frame.extent_px) - 1;
-    mean = texelFetch(image, clamp(texel, ivec2(0), limit), 0).rgb * kept.x +
-           texelFetch(image, clamp(texel + ivec2(1, 0), ivec2(0), limit), 0).rgb * kept.y +
-           texelFetch(image, clamp(texel + ivec2(0, 1), ivec2(0), limit), 0).rgb * kept.z +
-           texelFetch(image, clamp(texel + ivec2(1, 1), ivec2(0), limit), 0).rgb * kept.w;
-    mean /= gathered.weight;
+// `newest` is the buffer that the previous frame wrote.
+Previous previousOf(sampler2D newest, Surface s, Way ways[4]) {
+  Way way = Way(s.motion_px, 0.0, 0.0);
+  SlotState state = k.slots[0];
+  state.place_age = vec4(0.0, 0.0, 1.0, 1.0);
+  bool tested = k.previous_slot > -0.5;
+  for (uint b = 0u; b < kSlots; ++b) {
+    if (float(b) != k.previous_slot) continue;
+    state = k.slots[b];
+    way = Way(s.motion_px, ways[b].depth_shift, ways[b].shift_known);
   }
-  gathered.sum = mean * state.exposure_ratio * gathered.weight;
-  return gathered;
+  Footprint f = footprintIn(state, vec2(0.0), s, s.motion_px, vec2(0.0));
+  vec4 w = tentWeights(f.point.x, f.point.y, 1.0);
+  if (tested) w *= validTexels(depthsIn(newest, f), f, state, s, way);
+  float sum = w.x + w.y + w.z + w.w;
+  return Previous(ivec2(f.base), sum > 0.0 && f.readable ? w / sum : vec4(0.0));
 }
 
-Gathered gatherBuffer(uint b, Surface s, vec2 motion_px, vec2 offset_px, float radius_px) {
-  if (b == 0u) return gatherFrom(buffer_0, s, b, motion_px, offset_px, radius_px);
-  if (b == 1u) return gatherFrom(buffer_1, s, b, motion_px, offset_px, radius_px);
-  if (b == 2u) return gatherFrom(buffer_2, s, b, motion_px, offset_px, radius_px);
-  return gatherFrom(buffer_3, s, b, motion_px, offset_px, radius_px);
+ivec2 texelOf(ivec2 base, int i) {
+  return clamp(base + ivec2(i & 1, i >> 1), ivec2(0), ivec2(k.frame.extent_px) - 1);
+}
+
+// N of the previous frame where the surface was; 0 where nothing shows it.
+float samplesBefore(sampler2D counts, Previous previous) {
+  float sum = 0.0;
+  for (int i = 0; i < 4; ++i) {
+    sum += previous.shares[i] * texelFetch(counts, texelOf(previous.base, i), 0).x;
+  }
+  return sum;
+}
+
+vec4 depthsOf(uint b, Footprint f) {
+  if (b == 0u) return depthsIn(buffer_0, f);
+  if (b == 1u) return depthsIn(buffer_1, f);
+  if (b == 2u) return depthsIn(buffer_2, f);
+  return depthsIn(buffer_3, f);
+}
+
+vec4 texelIn(uint b, ivec2 texel) {
+  if (b == 0u) return texelFetch(buffer_0, texel, 0);
+  if (b == 1u) return texelFetch(buffer_1, texel, 0);
+  if (b == 2u) return texelFetch(buffer_2, texel, 0);
+  return texelFetch(buffer_3, texel, 0);
+}
+
+float sumOf(vec4 w) {
+  return w.x + w.y + w.z + w.w;
 }
 
 // A buffer failed for the pixel when more of its tent is unseen than seen.
-bool reprojectionFailed(Gathered gathered) {
-  return gathered.weight <= gathered.weight_unseen || gathered.weight <= 0.0;
+bool reprojectionFailed(float seen, float whole) {
+  return seen <= 0.0 || 2.0 * seen <= whole;
 }
 
 #endif

@@ -100,9 +100,11 @@ constexpr auto kSettings = settingTable({
 });
 static_assert(kSettings.size() == kSettingCount);
 
+// The paper gives no n for the bound. About the pixel's own sample, which is a deviation off
+// itself, n = 1 cuts a right history as often as not: 3 dB less on brick/pan (README.md).
 constexpr RepriseSettingValue kPaper[] = {
     {"jitter", 0.0, "void-and-cluster"}, {"alpha", 0.1, nullptr},
-    {"clip_about", 0.0, "own"},          {"gamma", 1.0, nullptr},
+    {"clip_about", 0.0, "own"},          {"gamma", 3.0, nullptr},
     {"disocclusion", 0.0, "scale"},      {"depth_tolerance", 0.0, nullptr},
     {"reconstruct", 0.0, "none"},
 };

@@ -62,9 +62,13 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.output_texel_uv = eq::vec2(1.0f / static_cast<float>(output_extent.width),
                                        1.0f / static_cast<float>(output_extent.height));
   constants.sample_width = s.real(kSampleWidth);
+  // Fewer samples an output pixel: history errs for longer in one direction, and passes for
+  // changed.
+  const auto doubt =
+      static_cast<float>(std::sqrt(areaRatio(state.input_extent, state.output_extent)));
   constants.history = s.real(kHistory);
   constants.still_history = s.real(kStillHistory);
-  constants.bound = s.real(kBound);
+  constants.bound = s.real(kBound) * doubt;
   constants.bound_changed = s.real(kBoundChanged);
   constants.bound_still = s.real(kBoundStill);
   constants.forget_clipped = s.real(kForgetClipped);
@@ -74,8 +78,8 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.bound_uncovered = s.real(kBoundUncovered);
   constants.far_frames = static_cast<float>(s.choice(kFarFrames));
   constants.doubt_light = s.real(kDoubtLight);
-  constants.doubt_now = s.real(kDoubtNow);
-  constants.doubt_mean = s.real(kDoubtMean);
+  constants.doubt_now = s.real(kDoubtNow) * doubt;
+  constants.doubt_mean = s.real(kDoubtMean) * doubt;
   return constants;
 }
 

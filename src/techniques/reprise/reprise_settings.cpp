@@ -17,7 +17,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "experiment: README.md"),
     numberSetting(kStillHistory, "still_history", 256.0, 0.0, 1024.0, "samples",
                   "the same where nothing moves", "Yang et al. 2009, stationary view"),
-    numberSetting(kSharpness, "sharpness", 0.5, 0.0, 1.0, "",
+    numberSetting(kSharpness, "sharpness", 0.6, 0.0, 1.0, "",
                   "c of the cubic that moves history: 0.5 is Catmull-Rom, more overshoots",
                   "Jimenez 2016"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.06, 0.0001, 1.0, "relative",

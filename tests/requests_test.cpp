@@ -129,6 +129,15 @@ TEST_F(MotionBack, ChainedMotionComesCloseToExact) {
   }
 }
 
+// A sphere and a pot that turn, a creature that walks: their depth then is not the camera's doing.
+TEST_F(MotionBack, DepthsThatTheHostGivesKeepTheHistoryOfWhatTurns) {
+  constexpr uint32_t kFrames = 12;
+  const auto evaluations = [](const char* technique) {
+    return run("indoor/fly", technique, kFrames).evaluations_per_pixel * kFrames;
+  };
+  EXPECT_LT(evaluations("amortized:motion=exact"), evaluations("amortized") - 0.25);
+}
+
 TEST_F(MotionBack, ThePlanNamesTheAgesThatAreRead) {
   SceneSource source(testDevice(), parseSceneRun("brick/pan"), optionsOf(1));
   Resolver exact(testDevice(), parseTechnique("amortized:motion=exact"), source.info());

@@ -74,11 +74,11 @@ void changingShading(PaperLab& lab, const Subject& subject, Outcome& outcome) {
     ss4_error = error;
   }
   outcome.table(run + ", dB", {"technique", "where shading changed", "elsewhere"}, lines);
-  outcome.claim(run + ": loss to 4x4 where shading changed, over the loss elsewhere", std::nullopt,
-                (ss4_error.insideDb() - ours_error.insideDb()) -
-                    (ss4_error.outsideDb() - ours_error.outsideDb()),
-                "dB", "the limit that the paper states",
-                ss4_error.insideDb() > ours_error.insideDb());
+  const double loss_db = ss4_error.insideDb() - ours_error.insideDb();
+  outcome.claim(run + ": loss to 4x4 where shading changed", std::nullopt, loss_db, "dB",
+                "above 0, the limit that the paper states", loss_db > 0.0);
+  outcome.report(run + ": loss to 4x4 elsewhere", std::nullopt,
+                 ss4_error.outsideDb() - ours_error.outsideDb(), "dB");
   const CropBox box = worstSquare(scene.reference(shown), shown_ours, kCrop_px);
   pictures.emplace_back("reference", scene.reference(shown));
   for (auto& [label, image] : pictures) image = crop(image, box);

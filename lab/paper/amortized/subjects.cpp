@@ -47,7 +47,7 @@ const Subject& teapot() {
 }
 
 const std::vector<double>& residualTolerances() {
-  static const std::vector<double> tolerances = {0.0005, 0.002, 0.01, 0.03, 0.1, 0.0};
+  static const std::vector<double> tolerances = {0.0001, 0.0005, 0.002, 0.01, 0.03, 0.1, 0.0};
   return tolerances;
 }
 

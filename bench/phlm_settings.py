@@ -7,7 +7,7 @@ cores, five minutes with captures and references there."""
 import captures
 
 SCENES = ["foliage/walk", "hangar/fly"]
-SIZE = ["--size", "480x270", "--frames", "24", "--samples", "32"]
+SIZE = ["--size", "384x216", "--frames", "24", "--samples", "32"]  # as `reprise paper phlm`
 
 EFFECTS = """
 input_width=0 input_width=0.4 input_width=0.8 space=linear lambda=0.998 lambda=0.95 lambda=0.85

@@ -22,6 +22,7 @@ const std::vector<Contender>& contenders() {
       {"PHLM", "phlm", &PublishedPsnr::phlm_db, 7.0},
       {"PHLM as published", "phlm:preset=paper", nullptr, 0.0},
       {"taa at its best", "taa", nullptr, 0.0},
+      {"reprise, our own", "reprise", nullptr, 0.0},
   };
   return list;
 }

@@ -35,7 +35,7 @@ struct Contender {
   double published_ms;          // at 1920 x 1080 on a GTX 980; 0: none
 };
 
-// None, FXAA, UE4-TAA, PHLM; then ours: PHLM as published, and `taa` at its best.
+// None, FXAA, UE4-TAA, PHLM; then PHLM as published, `taa` at its best, and our own technique.
 const std::vector<Contender>& contenders();
 
 // Whole pixels, every frame judged, references of one sample filter's pixel: the box.

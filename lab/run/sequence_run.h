@@ -5,6 +5,7 @@
 #pragma once
 
 #include <functional>
+#include <memory>
 #include <span>
 #include <vector>
 
@@ -35,5 +36,11 @@ SequenceRun runSequence(Device& device, FrameSource& source, Resolver& resolver,
 SequenceRun runFrames(Device& device, FrameSource& source, Resolver& resolver,
                       std::span<const uint32_t> frames, bool keep_images,
                       const std::function<void(const FrameDone&)>& done);
+
+// Frames [0, frames) by each resolver in turn, frame by frame, so that what disturbs a busy machine
+// for seconds disturbs all alike: ratios of times are taken from this. Images are not kept.
+std::vector<SequenceRun> runTogether(Device& device, FrameSource& source,
+                                     std::span<const std::unique_ptr<Resolver>> resolvers,
+                                     uint32_t frames, const std::function<void()>& done);
 
 }  // namespace reprise::lab

@@ -113,6 +113,16 @@ SequenceRun BareScene::run(const std::string& technique,
   });
 }
 
+std::vector<SequenceRun> BareScene::timedRuns() {
+  std::vector<std::unique_ptr<Resolver>> resolvers;
+  for (const Contender& contender : timed()) {
+    resolvers.push_back(
+        std::make_unique<Resolver>(*device_, parseTechnique(contender.technique), source_->info()));
+  }
+  Progress progress(name_ + " by all in turn", frames_, lab_.quiet());
+  return runTogether(*device_, *source_, resolvers, frames_, [&] { progress.step(); });
+}
+
 std::vector<uint64_t> BareScene::evaluations(const std::string& technique) {
   Resolver resolver(*device_, parseTechnique(technique), source_->info());
   Progress progress(fmt::format("evaluations of {} by {}", name_, technique), frames_,
@@ -152,8 +162,8 @@ VkExtent2D timedExtent(const PaperLab& lab) {
 }
 
 uint32_t timedFrames(const PaperLab& lab) {
-  constexpr uint32_t kFrames = 4;  // the first is not counted
-  return lab.scale().whole ? 4 * kFrames : kFrames;
+  constexpr uint32_t kFrames = 7;  // the first is not counted
+  return lab.scale().whole ? 2 * kFrames : kFrames;
 }
 
 PaperView view() {

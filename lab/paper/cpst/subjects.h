@@ -63,6 +63,8 @@ class BareScene {
   SceneSource& source() { return *source_; }
   SequenceRun run(const std::string& technique,
                   const std::function<void(const FrameDone&)>& done = {});
+  // PS, CBR, CPS-T, frame by frame in turn.
+  std::vector<SequenceRun> timedRuns();
   // Evaluations of each frame that the technique asks for; it resolves nothing.
   std::vector<uint64_t> evaluations(const std::string& technique);
 

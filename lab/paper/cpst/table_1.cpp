@@ -9,7 +9,7 @@
 namespace reprise::lab::cpst {
 namespace {
 
-// The issue's: a resolve may take this much of that of `taa` with variance clipping.
+// What was asked of it: a resolve may take this much of that of `taa` with variance clipping.
 constexpr double kMostOfTaa = 1.3;
 
 }  // namespace
@@ -19,9 +19,10 @@ void table1(PaperLab& lab, Outcome& outcome) {
   for (const Subject& subject : subjects()) {
     if (!subject.note.empty()) outcome.note(subject.note);
     BareScene scene(lab, subject.run, extent, timedFrames(lab), subject.lamps);
-    const Cost ps = costOf(scene.run(kPs));
-    const Cost cbr = costOf(scene.run(kCbr));
-    const Cost ours = costOf(scene.run(kCpst));
+    const std::vector<SequenceRun> runs = scene.timedRuns();
+    const Cost ps = costOf(runs[0]);
+    const Cost cbr = costOf(runs[1]);
+    const Cost ours = costOf(runs[2]);
     std::vector<std::vector<std::string>> lines;
     struct Row {
       const char* name;

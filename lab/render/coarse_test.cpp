@@ -83,6 +83,31 @@ TEST_F(Coarse, PixelsShareTheSampleAtTheirCoarseCentre) {
   }
 }
 
+TEST_F(Coarse, MayBeShadedAmidThePixelsThatATriangleCovers) {
+  constexpr uint32_t kSide = 32;
+  SceneSourceOptions options = testOptions({kSide, kSide});
+  options.switches.shade_covered = true;
+  SceneSource source(device, madeUpRun<ramp>(), options);
+  RepriseSamplePlan plan{.size = sizeof(plan), .jitter_px = {0.3f, -0.2f}, .coarse_size = 2};
+  plan.mip_bias = -1.0f;
+  const FloatImage image = shaded(device, source, plan);
+  // Of four pixels on the diagonal the upper triangle has the upper right one; the lower one's
+  // three have their middle at (5/6, 7/6).
+  for (uint32_t base = 4; base < kSide - 4; base += 2) {
+    const struct {
+      uint32_t x, y;
+      float middle_x_px, middle_y_px;
+    } pixels[] = {{1, 0, 1.5f, 0.5f}, {0, 0, 0.8333f, 1.1667f}, {1, 1, 0.8333f, 1.1667f}};
+    for (const auto& pixel : pixels) {
+      const float u = (static_cast<float>(base) + pixel.middle_x_px - 0.3f) / kSide;
+      const float v = (static_cast<float>(base) + pixel.middle_y_px + 0.2f) / kSide;
+      const float* rgb = image.at(base + pixel.x, base + pixel.y);
+      EXPECT_NEAR(rgb[0], (u * 256.0f - 0.5f) / 255.0f, 4.0e-3f) << base << ", " << pixel.x;
+      EXPECT_NEAR(rgb[1], (v * 256.0f - 0.5f) / 255.0f, 4.0e-3f) << base << ", " << pixel.x;
+    }
+  }
+}
+
 TEST_F(Coarse, ACheckerboardShadesItsHalfAndNothingElse) {
   const VkExtent2D extent{33, 17};
   SceneSource source(device, parseSceneRun("brick/still"), testOptions(extent));

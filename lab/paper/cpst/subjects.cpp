@@ -103,16 +103,6 @@ BareScene::~BareScene() {
   lab_.keepValidation(*device_);
 }
 
-SequenceRun BareScene::run(const std::string& technique,
-                           const std::function<void(const FrameDone&)>& done) {
-  Resolver resolver(*device_, parseTechnique(technique), source_->info());
-  Progress progress(fmt::format("{} by {}", name_, technique), frames_, lab_.quiet());
-  return runSequence(*device_, *source_, resolver, frames_, false, [&](const FrameDone& frame) {
-    if (done) done(frame);
-    progress.step();
-  });
-}
-
 std::vector<SequenceRun> BareScene::timedRuns() {
   std::vector<std::unique_ptr<Resolver>> resolvers;
   for (const Contender& contender : timed()) {

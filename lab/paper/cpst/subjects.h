@@ -4,7 +4,6 @@
 // they compare.
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
@@ -61,8 +60,6 @@ class BareScene {
 
   Device& device() { return *device_; }
   SceneSource& source() { return *source_; }
-  SequenceRun run(const std::string& technique,
-                  const std::function<void(const FrameDone&)>& done = {});
   // PS, CBR, CPS-T, frame by frame in turn.
   std::vector<SequenceRun> timedRuns();
   // Evaluations of each frame that the technique asks for; it resolves nothing.

@@ -149,6 +149,18 @@ std::optional<Measured> readMeasured(const std::filesystem::path& stem, const st
   }
 }
 
+FrameTimes timesOf(const SequenceRun& run, size_t first_timed) {
+  FrameTimes times;
+  times.render_ms = sumOfMedians(run.render_times, first_timed);
+  times.resolve_ms = sumOfMedians(run.resolve_times, first_timed);
+  for (const auto& [name, ms] : run.render_times.medians(first_timed)) {
+    const bool geometry = name == "transform" || name == "visibility" || name == "motion" ||
+                          name == "shadows" || name == "motion back";
+    if (!geometry) times.shade_ms += ms;
+  }
+  return times;
+}
+
 }  // namespace
 
 bool sceneIsHere(const std::string& scene) {
@@ -326,16 +338,9 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
         if (view.over_time) images.push_back(done.image);
       },
       view);
-  // Times settle at once: the first frame builds caches, no more.
-  constexpr size_t kFirstTimed = 1;
   measured.evaluations_per_pixel = sequence.evaluations_per_pixel;
-  measured.render_ms = sumOfMedians(sequence.render_times, kFirstTimed);
-  measured.resolve_ms = sumOfMedians(sequence.resolve_times, kFirstTimed);
-  for (const auto& [name, ms] : sequence.render_times.medians(kFirstTimed)) {
-    const bool geometry = name == "transform" || name == "visibility" || name == "motion" ||
-                          name == "shadows" || name == "motion back";
-    if (!geometry) measured.shade_ms += ms;
-  }
+  // Times settle at once: the first frame builds caches, no more.
+  static_cast<FrameTimes&>(measured) = timesOf(sequence, 1);
   measured.last = displayImage(last);
   if (view.over_time) {
     MeterOptions options;
@@ -346,6 +351,27 @@ const Measured& PaperLab::measure(const std::string& run, const std::string& tec
   writeExr(stem.string() + ".exr", exrOf(measured.last));
   writeOutputFile(stem.string() + ".json", measuredJson(wanted, measured).dump(1) + "\n");
   return measured_[wanted] = std::move(measured);
+}
+
+std::vector<FrameTimes> PaperLab::timesTogether(const std::string& run,
+                                                const std::vector<std::string>& techniques,
+                                                const PaperView& view) {
+  // The first half fills histories, whose requests cost more than those of a settled one.
+  constexpr uint32_t kTimedFrames = 24;
+  PaperScene& open = scene(run, view);
+  std::vector<std::unique_ptr<Resolver>> resolvers;
+  for (const std::string& technique : techniques) {
+    resolvers.push_back(
+        std::make_unique<Resolver>(open.device(), parseTechnique(technique), open.source().info()));
+  }
+  const uint32_t frames = std::min(open.frames(), kTimedFrames);
+  Progress progress(run + " by all in turn", frames, options_.quiet);
+  std::vector<FrameTimes> times;
+  for (const SequenceRun& sequence :
+       runTogether(open.device(), open.source(), resolvers, frames, [&] { progress.step(); })) {
+    times.push_back(timesOf(sequence, frames / 2));
+  }
+  return times;
 }
 
 }  // namespace reprise::lab

@@ -58,19 +58,26 @@ struct OverTime {
   std::vector<double> ages, age_psnr_db;  // AgeFigures
 };
 
-struct Measured {
-  std::vector<uint32_t> frames;  // that were compared with their references
-  std::vector<double> psnr_db;   // one each
-  double evaluations_per_pixel = 0.0;
-  double render_ms = 0.0;   // of a frame, median
-  double shade_ms = 0.0;    // of it, shading without geometry
-  double resolve_ms = 0.0;  // likewise
-  FloatImage last;          // display values of the last frame
-  OverTime over_time;       // with PaperView::over_time
+// GPU times of a frame, medians.
+struct FrameTimes {
+  double render_ms = 0.0;
+  double shade_ms = 0.0;  // of it, shading without geometry
+  double resolve_ms = 0.0;
 
   double frameMs() const { return render_ms + resolve_ms; }
   // Where the shader dominates, geometry is nothing.
   double shadedMs() const { return shade_ms + resolve_ms; }
+};
+
+// Its times are those of one method after another: ratios of them are only as good as the machine
+// is quiet. What claims a ratio takes PaperLab::timesTogether.
+struct Measured : FrameTimes {
+  std::vector<uint32_t> frames;  // that were compared with their references
+  std::vector<double> psnr_db;   // one each
+  double evaluations_per_pixel = 0.0;
+  FloatImage last;     // display values of the last frame
+  OverTime over_time;  // with PaperView::over_time
+
   // Mean over the frames from `first` on; of the last where there is none.
   double meanPsnr(uint32_t first) const;
 };
@@ -141,6 +148,10 @@ class PaperLab {
   // `technique` over the scene "brick/pan". A camera named "still" runs still_frames.
   const Measured& measure(const std::string& run, const std::string& technique,
                           const PaperView& view = {});
+  // Of each technique, over the first frames of the scene, in turn frame by frame.
+  std::vector<FrameTimes> timesTogether(const std::string& run,
+                                        const std::vector<std::string>& techniques,
+                                        const PaperView& view = {});
   // The last one opened stays open.
   PaperScene& scene(const std::string& run, const PaperView& view = {});
   // Runs `technique` over the scene as measure does: all frames, or, where it keeps no history, the

@@ -11,7 +11,8 @@ class Interrupted : public std::exception {
   const char* what() const noexcept override { return "interrupted"; }
 };
 
-// From now on SIGINT and SIGTERM set a flag; a second one ends the process at once.
+// From now on SIGINT and SIGTERM set a flag; another one, half a second later or more, ends the
+// process at once.
 void catchInterrupts();
 // Throws Interrupted when one has come.
 void throwIfInterrupted();

@@ -42,7 +42,7 @@ TEST_F(Cli, ListShowsEverythingAndItsJsonIsOneDocument) {
 }
 
 TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
-  for (const char* verb : {"list", "render", "filter", "compare", "bench"}) {
+  for (const char* verb : {"list", "render", "filter", "compare", "bench", "paper", "tune"}) {
     const Ran ran = reprise(std::string(verb) + " --help");
     EXPECT_EQ(ran.code, 0) << verb;
     EXPECT_NE(ran.out.find("Example: reprise "), std::string::npos) << verb;
@@ -70,6 +70,12 @@ TEST_F(Cli, WrongUsageIsTwo) {
       {"render brick/pan --post -o x --size 64x36", "--post shows what --png writes"},
       {"compare brick/pan -t cps --spp 4 --size 16x9 --frames 1 --samples 2 --cache none -o x",
        "no coarse shading"},
+      {"tune brick/pan -t taa --over alhpa -o x", "near: 'alpha'"},
+      {"tune brick/pan -t taa --over alpha=2:3 -o x", "no range within [0.001, 1]"},
+      {"tune brick/pan -t taa --score pnsr -o x", "is none of psnr"},
+      {"tune brick/pan -t ss -o x", "nothing to tune"},
+      {"tune brick/pan -t taa:alpha=0.5 --over alpha=0.1:0.2 --size 16x9 --frames 1 --samples 2",
+       "begins at alpha=0.5, outside"},
       {"--device nonsense compare brick/pan -t taa -o x", ""},
   };
   for (const auto& c : cases) {
@@ -270,6 +276,41 @@ TEST_F(Cli, CompareWritesItsResultsAndGatesOnABaseline) {
   EXPECT_EQ(reprise(compare + " --baseline missing.json").code, 3);
   const Ran json = reprise(compare + " --json");
   EXPECT_EQ(nlohmann::json::parse(json.out)["runs"].size(), 8u);
+}
+
+TEST_F(Cli, TuneFindsWhatComparesBetter) {
+  const std::string scenes = " --size 64x36 --frames 12 --samples 8 ";
+  const Ran ran = reprise(
+      "tune brick/pan chart/pan -t taa:alpha=1 --over alpha=0.01:1 clip --held-out brick/zoom -o "
+      "tuned --evaluations 20 --json" +
+      scenes);
+  ASSERT_EQ(ran.code, 0) << ran.error;
+  const auto found = nlohmann::json::parse(ran.out);
+  EXPECT_EQ(found, nlohmann::json::parse(readWholeFile(path("tuned/tune.json"))));
+  const auto& sources = found["sources"];
+  ASSERT_EQ(sources.size(), 5u) << found.dump(1);
+  EXPECT_EQ(sources[2]["source"], "mean");
+  EXPECT_EQ(sources[3]["kind"], "held out");
+  EXPECT_GT(sources[2]["after"].get<double>(), sources[2]["before"].get<double>() + 1.0);
+
+  // What it prints can be typed, and gives what it says.
+  const std::string best = found["technique"];
+  EXPECT_EQ(best.rfind("taa:alpha=0.", 0), 0u) << best;
+  const Ran compared =
+      reprise("compare chart/pan -t taa:alpha=1 " + best + " -o cmp --json" + scenes);
+  ASSERT_EQ(compared.code, 0) << compared.error;
+  const auto runs = nlohmann::json::parse(compared.out)["runs"];
+  EXPECT_DOUBLE_EQ(runs[0]["mean"]["psnr"].get<double>(), sources[1]["before"].get<double>());
+  EXPECT_DOUBLE_EQ(runs[1]["mean"]["psnr"].get<double>(), sources[1]["after"].get<double>());
+
+  const Ran none = reprise("tune chart/still -t none --size 16x9 --frames 1 --samples 2");
+  EXPECT_EQ(none.code, 2) << none.error;
+  const Ran undefined = reprise(
+      "tune chart/still -t taa --score disoccluded --size 16x9 --frames 2 --samples 2 "
+      "--evaluations 1");
+  EXPECT_EQ(undefined.code, 2);
+  EXPECT_NE(undefined.error.find("has no value on chart/still"), std::string::npos)
+      << undefined.error;
 }
 
 TEST_F(Cli, PostStandsBetweenTheTechniqueAndTheDisplay) {

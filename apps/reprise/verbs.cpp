@@ -10,6 +10,7 @@ void addVerbs(CLI::App& app, const Globals& globals, Action& action) {
   addCompare(app, globals, action);
   addBench(app, globals, action);
   addPaper(app, globals, action);
+  addTune(app, globals, action);
 }
 
 }  // namespace reprise::app

@@ -18,6 +18,7 @@ void addFilter(CLI::App& app, const Globals& globals, Action& action);
 void addCompare(CLI::App& app, const Globals& globals, Action& action);
 void addBench(CLI::App& app, const Globals& globals, Action& action);
 void addPaper(CLI::App& app, const Globals& globals, Action& action);
+void addTune(CLI::App& app, const Globals& globals, Action& action);
 
 // The one list of verbs.
 void addVerbs(CLI::App& app, const Globals& globals, Action& action);

@@ -19,7 +19,6 @@ constexpr uint32_t kTilesShader[] = {
 LightTiles::LightTiles(Device& device, const std::vector<GpuLamp>& lamps, VkExtent2D extent,
                        bool cull)
     : lamps_(lamps),
-      extent_(extent),
       tiles_{(extent.width + kLightTile_px - 1) / kLightTile_px,
              (extent.height + kLightTile_px - 1) / kLightTile_px},
       cull_(cull) {

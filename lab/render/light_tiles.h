@@ -38,7 +38,6 @@ class LightTiles {
 
  private:
   std::vector<GpuLamp> lamps_;
-  VkExtent2D extent_;
   VkExtent2D tiles_;
   bool cull_;
   Buffer lamp_buffer_;

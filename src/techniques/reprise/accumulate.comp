@@ -37,6 +37,9 @@ const float kChangeMemory = 0.3;
 // Residuals of 3x3 that count as independent: an edge's aliasing errs alike along a row.
 const float kChangeCount = 3.0;
 
+// Residuals beyond this are followed no further: what is left of history says nothing.
+const float kMostChange = 0.8;
+
 // Weight of a new squared difference of residuals from frame to frame in its mean, the noise.
 const float kNoiseMemory = 0.5;
 // The least noise, as a share of what the residuals' scatter over 3x3 says.
@@ -67,7 +70,7 @@ const float kFlips = 1.0;
 const float kFlipRise = 0.05;
 const float kFlipFall = 0.0125;
 
-// Residuals of 3x3, relative to luma, about the prediction after `gain` (eq. 7).
+// Residuals of 3x3 about the prediction after `gain`, relative to the larger of both lumas (eq. 7).
 struct Pooled {
   float mean;
   float variance;
@@ -125,7 +128,7 @@ void main() {
     }
   }
   float per = 1.0 / max(pooled.count, 1.0);
-  float scale = per / (pooled.luma * per + kDarkest);
+  float scale = per / (max(pooled.luma, pooled.luma + pooled.mean) * per + kDarkest);
   pooled.mean *= scale;
   pooled.variance = max(pooled.variance * scale * scale / per - pooled.mean * pooled.mean, 0.0);
 
@@ -157,7 +160,8 @@ void main() {
   imageStore(next_change_image, output_px,
              known * vec4(change * (1.0 - believed), pooled.mean, next_noise, flips));
   float changed = max(believed, now);
-  gain *= 1.0 + clamp(believed * change, -0.9, 4.0);
+  float brighter = clamp(believed * change, -kMostChange, kMostChange);
+  gain *= brighter < 0.0 ? 1.0 + brighter : 1.0 / (1.0 - brighter);
 
   // The surface as a plane: how near it was at the pixel, and how that changes over pixels.
   float near = nearness(k.frame, depth_image, surface_px, last_px);

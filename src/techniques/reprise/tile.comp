@@ -47,8 +47,10 @@ void main() {
   }
   const float kShare = 1.0 / float(kTileSize_px * kTileSize_px);
   // Relative to the tile's luma: a weight a pixel would take its noise for change, since where
-  // history is too dark by chance it weighs more and light seems to rise.
-  float scale = kShare / (lumaYCoCg(told) / max(count, 1.0) + kDarkest);
+  // history is too dark by chance it weighs more and light seems to rise. To the larger of both
+  // lumas: what vanishes says as much as what appears.
+  float luma = max(lumaYCoCg(told), lumaYCoCg(came)) / max(count, 1.0);
+  float scale = kShare / (luma + kDarkest);
   came = min(came * scale, vec3(kMaxColor));
   square = min(square * kShare * (scale / kShare) * (scale / kShare), kMaxColor);
   imageStore(came_image, tile, vec4(came, square));

@@ -401,6 +401,7 @@ TEST(Plan, IsAPureFunctionOfTheFrameAndRepeatsAfterItsPeriod) {
       EXPECT_GE(plan.coarse_size, 1u);
       EXPECT_LE(plan.coarse_size, static_cast<uint32_t>(REPRISE_MAX_COARSE_SIZE));
       EXPECT_LE(plan.checkerboard, 2u);
+      EXPECT_LE(plan.coarse_covered, plan.coarse_size - 1);
       for (const int32_t origin_px : plan.coarse_origin_px) {
         EXPECT_GE(origin_px, 0);
         EXPECT_LT(origin_px, static_cast<int32_t>(plan.coarse_size));

@@ -4,6 +4,7 @@
 // when one is made here.
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <span>
 #include <vector>
@@ -162,6 +163,28 @@ TEST(Traps, AnIntegerPanConvergesLikeAStillView) {
   EXPECT_LT(error(half, 1.0f), 0.5 * error(half, 0.5f));
   EXPECT_LT(error(half, 1.0f),
             0.8 * error("checkerboard:clip=false,alpha=0.06,halves=alternate", 1.0f));
+}
+
+// Moving history is read by a cubic, whose lobes go below the ground beside a lamp.
+TEST(Traps, CoarseShadingDrawsNoDarkRingRoundALamp) {
+  constexpr float kGround = 0.1f;
+  const auto darkest = [&](const char* technique) {
+    Formula lamp;
+    lamp.velocity_px[0] = 0.37f;
+    lamp.velocity_px[1] = 0.21f;
+    lamp.color = [](float x_px, float y_px) {
+      const float value = std::hypot(x_px - 20.0f, y_px - 14.0f) < 2.5f ? 20.0f : kGround;
+      return Rgb{value, value, value};
+    };
+    FormulaSource source(testDevice(), {48, 32}, lamp);
+    Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+    const FloatImage image = resolveFrames(resolver, source, 16);
+    float least = kGround;
+    for (size_t i = 0; i < image.texelCount(); ++i) least = std::min(least, image.texels[4 * i]);
+    return least;
+  };
+  EXPECT_GT(darkest("cpst"), 0.98f * kGround);
+  EXPECT_LT(darkest("cpst:history_clamp=false"), 0.9f * kGround);
 }
 
 // Mean PSNR of the 16 frames (one cycle of the jitter) before each of `ends`.

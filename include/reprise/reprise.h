@@ -262,8 +262,9 @@ typedef struct RepriseSamplePlan {
   uint32_t shading_offset_quadrant;  // [0, 3]; 4: the pixel centre
   uint32_t coarse_size;  // pixels a side that share one shading evaluation; 1: each its own
   // Coarse pixels begin here, and coarse_size farther, and before: a shift of the grid's whole
-  // pixels. Each shades at its centre - jitter_px, for every surface in it, and alpha tests stay
-  // at the pixels' rate. A bias for derivatives across coarse pixels is part of mip_bias.
+  // pixels. Each shades at its centre - jitter_px, for every surface in it (but see
+  // coarse_covered), and alpha tests stay at the pixels' rate. A bias for derivatives across coarse
+  // pixels is part of mip_bias.
   int32_t coarse_origin_px[2];  // [0, coarse_size)
   // Bit a - 1: the technique would read RepriseFrame::motion_back[a - 1].
   uint32_t motion_back;
@@ -271,6 +272,9 @@ typedef struct RepriseSamplePlan {
   uint32_t depth_samples;
   // 1: only pixels whose x + y is even are shaded; 2: those where it is odd; 0: all.
   uint32_t checkerboard;
+  // 1: a surface that covers a part of a coarse pixel is best shaded amid the pixels that it covers
+  // (interpolation at the centroid), not at a centre that lies beside it; 0: at the centre.
+  uint32_t coarse_covered;
 } RepriseSamplePlan;
 
 // The plan of frame `frame_index`: a pure function of the index, the settings and the extents; with

@@ -85,10 +85,9 @@ TEST_F(Coarse, PixelsShareTheSampleAtTheirCoarseCentre) {
 
 TEST_F(Coarse, MayBeShadedAmidThePixelsThatATriangleCovers) {
   constexpr uint32_t kSide = 32;
-  SceneSourceOptions options = testOptions({kSide, kSide});
-  options.switches.shade_covered = true;
-  SceneSource source(device, madeUpRun<ramp>(), options);
+  SceneSource source(device, madeUpRun<ramp>(), testOptions({kSide, kSide}));
   RepriseSamplePlan plan{.size = sizeof(plan), .jitter_px = {0.3f, -0.2f}, .coarse_size = 2};
+  plan.coarse_covered = 1;
   plan.mip_bias = -1.0f;
   const FloatImage image = shaded(device, source, plan);
   // Of four pixels on the diagonal the upper triangle has the upper right one; the lower one's

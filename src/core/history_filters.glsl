@@ -39,6 +39,19 @@ vec4 cubicHistory(sampler2D image, vec2 px, vec2 texel_uv, vec2 last_px, float s
   return max(sum / weight, vec4(0.0));
 }
 
+// Where history steps (a lamp, an edge) the cubic's negative lobes fall below and rise above all of
+// it, and what is fed back keeps that as a fringe: no farther than the four texels around `px`.
+vec4 withinInnerTexels(vec4 history, sampler2D image, vec2 px, vec2 last_px) {
+  vec2 base_px = floor(px - 0.5);
+  ivec2 lo = ivec2(clamp(base_px, vec2(0.0), last_px - 0.5));
+  ivec2 hi = ivec2(clamp(base_px + 1.0, vec2(0.0), last_px - 0.5));
+  vec4 a = texelFetch(image, lo, 0);
+  vec4 b = texelFetch(image, ivec2(hi.x, lo.y), 0);
+  vec4 c = texelFetch(image, ivec2(lo.x, hi.y), 0);
+  vec4 d = texelFetch(image, hi, 0);
+  return clamp(history, min(min(a, b), min(c, d)), max(max(a, b), max(c, d)));
+}
+
 vec4 lanczosHistory(sampler2D image, vec2 px, vec2 last_px) {
   vec2 base_px = floor(px - 0.5);
   vec2 f = px - 0.5 - base_px;

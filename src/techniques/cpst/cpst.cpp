@@ -28,6 +28,7 @@ constexpr float kMipBias = -1.0f;
 enum Setting : uint32_t {
   kJitter,
   kJitterLength,
+  kShadeAt,
   kAlpha,
   kShadingFilter,
   kShadingSigma,
@@ -39,6 +40,7 @@ enum Setting : uint32_t {
   kDepthTolerance,
   kReconstruct,
   kHistorySharpness,
+  kHistoryClamp,
   kStillFrames,
   kGammaStill,
   kSettingCount
@@ -47,6 +49,8 @@ enum Setting : uint32_t {
 constexpr uint32_t kJitterBlueNoise = 0;
 constexpr uint32_t kJitterHalton = 1;
 constexpr const char* kJitterNames[] = {"void-and-cluster", "halton", "halton-2x", nullptr};
+constexpr uint32_t kShadeAtCovered = 1;
+constexpr const char* kShadeAtNames[] = {"centre", "covered", nullptr};
 constexpr const char* kVarianceNames[] = {"none", "fine", "coarse", "dynamic", nullptr};
 constexpr const char* kAboutNames[] = {"own", "mean", nullptr};
 constexpr const char* kReconstructNames[] = {"none", "fresh", "always", nullptr};
@@ -60,7 +64,12 @@ constexpr auto kSettings = settingTable({
     integerSetting(kJitterLength, "jitter_length", 32, 1, 128, "frames",
                    "length of the cycle; longer ones converge further at rest",
                    "experiment: README.md; the paper gives none"),
-    numberSetting(kAlpha, "alpha", 0.15, 0.001, 1.0, "",
+    choiceSetting(kShadeAt, "shade_at", kShadeAtCovered, kShadeAtNames,
+                  "where a surface that covers a part of a coarse pixel is shaded: at the centre, "
+                  "or amid the pixels that it covers",
+                  "Xiao et al. 2018 (centre); ours, named as future work there; experiment: "
+                  "README.md"),
+    numberSetting(kAlpha, "alpha", 0.2, 0.001, 1.0, "",
                   "lowest mean weight of a new sample in motion",
                   "Xiao et al. 2018: 0.1; experiment: README.md"),
     switchSetting(kShadingFilter, "shading_filter", true,
@@ -93,6 +102,9 @@ constexpr auto kSettings = settingTable({
                   "ours; named as future work by Xiao et al. 2018"),
     numberSetting(kHistorySharpness, "history_sharpness", 0.6, 0.0, 1.0, "",
                   "c of the cubic history filter of 5 fetches", "as taa"),
+    switchSetting(kHistoryClamp, "history_clamp", true,
+                  "keeps that filter within the four texels around: no fringes round lamps",
+                  "ours; experiment: README.md"),
     integerSetting(kStillFrames, "still_frames", 512, 1, 2048, "samples",
                    "where nothing moves the mean goes on to this many samples", "as taa"),
     numberSetting(kGammaStill, "gamma_still", 8.0, 0.0, 16.0, "standard deviations",
@@ -103,10 +115,15 @@ static_assert(kSettings.size() == kSettingCount);
 // The paper gives no n for the bound. About the pixel's own sample, which is a deviation off
 // itself, n = 1 cuts a right history as often as not: 3 dB less on brick/pan (README.md).
 constexpr RepriseSettingValue kPaper[] = {
-    {"jitter", 0.0, "void-and-cluster"}, {"alpha", 0.1, nullptr},
-    {"clip_about", 0.0, "own"},          {"gamma", 3.0, nullptr},
-    {"disocclusion", 0.0, "scale"},      {"depth_tolerance", 0.0, nullptr},
+    {"jitter", 0.0, "void-and-cluster"},
+    {"shade_at", 0.0, "centre"},
+    {"alpha", 0.1, nullptr},
+    {"clip_about", 0.0, "own"},
+    {"gamma", 3.0, nullptr},
+    {"disocclusion", 0.0, "scale"},
+    {"depth_tolerance", 0.0, nullptr},
     {"reconstruct", 0.0, "none"},
+    {"history_clamp", 0.0, "false"},
 };
 constexpr ReprisePresetInfo kPresets[] = {
     {"paper", kPaper, static_cast<uint32_t>(std::size(kPaper)), "as Xiao et al. 2018 tell it"},
@@ -154,6 +171,7 @@ class Cpst final : public Technique {
     plan.coarse_size = kCoarseSize;
     plan.coarse_origin_px[0] = split.origin_px[0];
     plan.coarse_origin_px[1] = split.origin_px[1];
+    plan.coarse_covered = request.settings.choice(kShadeAt) == kShadeAtCovered ? 1 : 0;
     plan.mip_bias = kMipBias;
     plan.period = request.settings.choice(kJitterLength);
   }
@@ -178,15 +196,16 @@ class Cpst final : public Technique {
            .constant_bytes = sizeof(CpstConstants),
            .specialization = {}});
     }
-    resolve_ = d.pass(
-        {.name = "resolve",
-         .spirv = kResolveShader,
-         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                      Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
-                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
-         .constant_bytes = sizeof(CpstConstants),
-         .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
-                            s.choice(kShadingFilter), s.choice(kReconstruct)}});
+    resolve_ =
+        d.pass({.name = "resolve",
+                .spirv = kResolveShader,
+                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                             Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
+                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                .constant_bytes = sizeof(CpstConstants),
+                .specialization = {s.choice(kVariance), s.choice(kClipAbout),
+                                   s.choice(kDisocclusion), s.choice(kShadingFilter),
+                                   s.choice(kReconstruct), s.on(kHistoryClamp) ? 1u : 0u}});
     mean_weight_ = 0.0f;
   }
 

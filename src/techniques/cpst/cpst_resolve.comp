@@ -21,6 +21,7 @@ layout(constant_id = 1) const uint kAbout = 0u;
 layout(constant_id = 2) const uint kDisocclusion = 0u;
 layout(constant_id = 3) const uint kShadingFilter = 0u;
 layout(constant_id = 4) const uint kReconstruct = 0u;
+layout(constant_id = 5) const uint kHistoryClamp = 0u;
 
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
@@ -203,6 +204,9 @@ void main() {
 
   vec4 history = cubicHistory(history_image, inside_px, k.frame.history_texel_uv, last_center_px,
                               k.history_sharpness, false);
+  if (kHistoryClamp != 0u) {
+    history = withinInnerTexels(history, history_image, inside_px, last_center_px);
+  }
   // A loop, not a branch: CPU drivers run both sides of a branch for every pixel.
   for (int mixed = disoccluded && hit && kDisocclusion == kDisocclusionTaps ? 0 : 1; mixed < 1;
        ++mixed) {

@@ -188,24 +188,26 @@ class Cpst final : public Technique {
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
     mean_ = d.history("mean", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
     variance_ = d.history("variance", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    motion_box_ = d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT,
+                            s.choice(kVariance) == kVarianceDynamic ? tiles : VkExtent2D{1, 1}, 1);
     if (coarse_moments_) {
-      moments_ = d.pass(
-          {.name = "moments",
-           .spirv = kMomentsShader,
-           .bindings = {Binding::kTexel, Binding::kStorage, Binding::kStorage, Binding::kConstants},
-           .constant_bytes = sizeof(CpstConstants),
-           .specialization = {}});
+      moments_ = d.pass({.name = "moments",
+                         .spirv = kMomentsShader,
+                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
+                                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                         .constant_bytes = sizeof(CpstConstants),
+                         .specialization = {s.choice(kVariance)}});
     }
-    resolve_ =
-        d.pass({.name = "resolve",
-                .spirv = kResolveShader,
-                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                             Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
-                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
-                .constant_bytes = sizeof(CpstConstants),
-                .specialization = {s.choice(kVariance), s.choice(kClipAbout),
-                                   s.choice(kDisocclusion), s.choice(kShadingFilter),
-                                   s.choice(kReconstruct), s.on(kHistoryClamp) ? 1u : 0u}});
+    resolve_ = d.pass(
+        {.name = "resolve",
+         .spirv = kResolveShader,
+         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                      Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel,
+                      Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kConstants},
+         .constant_bytes = sizeof(CpstConstants),
+         .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
+                            s.choice(kShadingFilter), s.choice(kReconstruct),
+                            s.on(kHistoryClamp) ? 1u : 0u}});
     mean_weight_ = 0.0f;
   }
 
@@ -214,13 +216,16 @@ class Cpst final : public Technique {
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& mean = recorder.history(mean_);
     const HistoryImage& variance = recorder.history(variance_);
+    const HistoryImage& motion_box = recorder.history(motion_box_);
     const CpstConstants constants = constantsOf(state, color.extent());
     const uint64_t n = state.record;
     if (coarse_moments_) {
       recorder.pass(moments_)
           .read(state.frame.color)
+          .read(state.frame.motion)
           .write(mean.current(0))
           .write(variance.current(0))
+          .write(motion_box.current(0))
           .constants(constants)
           .dispatch({(state.output_extent.width + kMomentSize - 1) / kMomentSize,
                      (state.output_extent.height + kMomentSize - 1) / kMomentSize});
@@ -231,6 +236,7 @@ class Cpst final : public Technique {
         .read(state.frame.motion)
         .read(mean.current(0))
         .read(variance.current(0))
+        .read(motion_box.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
         .write(color.current(n))
@@ -272,6 +278,7 @@ class Cpst final : public Technique {
   HistoryHandle depth_ = 0;
   HistoryHandle mean_ = 0;
   HistoryHandle variance_ = 0;
+  HistoryHandle motion_box_ = 0;
   PassHandle moments_ = 0;
   PassHandle resolve_ = 0;
 };

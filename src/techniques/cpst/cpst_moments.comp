@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: MIT
 //
 // Mean and variance of 4 x 4 pixels, in YCoCg: LoD 2 of a mip chain of moments in one step. The
-// variance, not the second moment, is stored: halves have no bits left for their difference.
+// variance, not the second moment, is stored: halves have no bits left for their difference. Beside
+// it the box of the pixels' motions, by which the resolve knows where no silhouette can be.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -12,10 +13,14 @@
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
+layout(constant_id = 0) const uint kVariance = 0u;
+
 layout(binding = 0) uniform sampler2D color_image;
-layout(binding = 1) writeonly uniform image2D mean_image;
-layout(binding = 2) writeonly uniform image2D variance_image;
-layout(binding = 3, std140) uniform Constants {
+layout(binding = 1) uniform sampler2D motion_image;
+layout(binding = 2) writeonly uniform image2D mean_image;
+layout(binding = 3) writeonly uniform image2D variance_image;
+layout(binding = 4) writeonly uniform image2D motion_box_image;  // xy: low, zw: high, px
+layout(binding = 5, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -37,4 +42,15 @@ void main() {
   imageStore(mean_image, texel, vec4(mean, 0.0));
   imageStore(variance_image, texel,
              vec4(min(max(sum_of_squares * share - mean * mean, vec3(0.0)), kMaxColor), 0.0));
+  if (kVariance != kVarianceDynamic) return;
+  vec2 low_px = vec2(3.0e38);
+  vec2 high_px = vec2(-3.0e38);
+  for (int i = 0; i < int(kMomentSize * kMomentSize); ++i) {
+    ivec2 px = first_px + ivec2(i % int(kMomentSize), i / int(kMomentSize));
+    vec2 motion_px =
+        motionPx(k.frame, texelFetch(motion_image, clamp(px, ivec2(0), last_px), 0).xy);
+    low_px = min(low_px, motion_px);
+    high_px = max(high_px, motion_px);
+  }
+  imageStore(motion_box_image, texel, vec4(low_px, high_px));
 }

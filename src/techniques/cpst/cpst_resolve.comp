@@ -14,6 +14,8 @@
 #include "equations/color_space.h"
 #include "techniques/cpst/cpst_shared.h"
 
+// What few pixels need is in loops that others leave after one turn: CPU drivers run both sides of
+// a branch for every pixel, and a loop's body at least once.
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
 layout(constant_id = 0) const uint kVariance = 0u;
@@ -28,12 +30,13 @@ layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
 layout(binding = 3) uniform sampler2D mean_image;
 layout(binding = 4) uniform sampler2D variance_image;
-layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
-layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
-layout(binding = 7) writeonly uniform image2D next_history_image;
-layout(binding = 8) writeonly uniform image2D next_depth_image;
-layout(binding = 9) writeonly uniform image2D output_image;
-layout(binding = 10, std140) uniform Constants {
+layout(binding = 5) uniform sampler2D motion_box_image;     // of the same pixels; xy: low, zw: high
+layout(binding = 6) uniform sampler2D history_image;        // rgb linear, a: summed weight
+layout(binding = 7) uniform sampler2D history_depth_image;  // r: view depth
+layout(binding = 8) writeonly uniform image2D next_history_image;
+layout(binding = 9) writeonly uniform image2D next_depth_image;
+layout(binding = 10) writeonly uniform image2D output_image;
+layout(binding = 11, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -62,8 +65,8 @@ float depthAt(ivec2 px, ivec2 last_px) {
   return texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x;
 }
 
-// The nearest of a pixel and its four neighbours (section 3.2 of the paper).
-ivec2 nearestOfCross(ivec2 px, ivec2 last_px) {
+// The nearest of a pixel and its four neighbours (section 3.2 of the paper), and its depth.
+ivec2 nearestOfCross(ivec2 px, ivec2 last_px, out float nearest) {
   ivec2 best_px = px;
   float order = k.frame.depth_order;
   float best = depthAt(px, last_px) * order;
@@ -76,20 +79,26 @@ ivec2 nearestOfCross(ivec2 px, ivec2 last_px) {
       best_px = at;
     }
   }
+  nearest = best * order;
   return best_px;
 }
 
 // Change of inverse depth over a pixel, both axes together: of each axis the smaller of both sides,
-// since a silhouette is on one.
-float inverseSlope(ivec2 px, ivec2 last_px) {
-  float own = 1.0 / viewDepth(k.frame, depthAt(px, last_px));
+// since a silhouette is on one. Of use where `wanted`.
+float inverseSlope(ivec2 px, ivec2 last_px, float own_depth, bool wanted) {
+  float own = 1.0 / own_depth;
   float sum = 0.0;
-  for (int axis = 0; axis < 2; ++axis) {
-    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    float before = 1.0 / viewDepth(k.frame, depthAt(px - step, last_px));
-    float after = 1.0 / viewDepth(k.frame, depthAt(px + step, last_px));
-    sum += min(abs(before - own), abs(after - own));
-  }
+  float before = 0.0;
+  int count = wanted ? 4 : 1;
+  int i = 0;
+  do {
+    int side = 2 * (i & 1) - 1;
+    ivec2 at = px + (i < 2 ? ivec2(side, 0) : ivec2(0, side));
+    float change = abs(1.0 / viewDepth(k.frame, depthAt(at, last_px)) - own);
+    sum += (i & 1) == 0 ? 0.0 : min(before, change);
+    before = change;
+    ++i;
+  } while (i < count);
   return sum;
 }
 
@@ -97,25 +106,45 @@ vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
-// Eight points two pixels around (eq. 4).
-bool atSilhouette(ivec2 px, ivec2 last_px) {
+// Eight points two pixels around (eq. 4), where `wanted`.
+bool atSilhouette(ivec2 px, ivec2 last_px, bool wanted) {
   vec2 own_px = motionAt(px);
   vec2 front_px = own_px;
   float longest_px = length(own_px);
   float order = k.frame.depth_order;
   float nearest = 3.0e38;
-  for (int i = 0; i < 9; ++i) {
-    if (i == 4) continue;
+  int count = wanted ? 9 : 1;
+  int i = 0;
+  do {
     ivec2 at = clamp(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
     vec2 motion_px = motionAt(at);
     longest_px = max(longest_px, length(motion_px));
     float depth = depthAt(at, last_px) * order;
-    if (depth < nearest) {
+    // The middle is no one of the eight.
+    if (depth < nearest && i != 4) {
       nearest = depth;
       front_px = motion_px;
     }
+    ++i;
+  } while (i < count);
+  return wanted && isSilhouette(own_px, front_px, longest_px, k.silhouette_share);
+}
+
+// Whether a silhouette (eq. 4) can be here at all. The points of that equation lie in the four
+// texels around, and no two motions there differ by more than the boxes' diagonal, nor is one
+// shorter than the way from 0 to the boxes.
+bool motionVaries(vec2 center_px) {
+  ivec2 base = ivec2(floor(center_px / float(kMomentSize) - 0.5));
+  ivec2 last = (ivec2(k.frame.extent_px) - 1) / int(kMomentSize);
+  vec4 box = texelFetch(motion_box_image, clamp(base, ivec2(0), last), 0);
+  for (int i = 1; i < 4; ++i) {
+    ivec2 texel = clamp(base + ivec2(i % 2, i / 2), ivec2(0), last);
+    vec4 other = texelFetch(motion_box_image, texel, 0);
+    box = vec4(min(box.xy, other.xy), max(box.zw, other.zw));
   }
-  return isSilhouette(own_px, front_px, longest_px, k.silhouette_share);
+  float shortest_px = length(max(max(box.xy, -box.zw), vec2(0.0)));
+  // Rounding of lengths must not hide what is just beyond the share.
+  return length(box.zw - box.xy) > 0.999 * k.silhouette_share * shortest_px;
 }
 
 // Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
@@ -137,21 +166,33 @@ Moments coarseMoments(vec2 center_px) {
   return Moments(mean, deviationFromMoments(mean, square));
 }
 
-// Samples of the same surface around, by how close they were shaded (eq. 7).
-vec3 reconstructed(vec3 samples[9], ivec2 px, ivec2 last_px, vec2 center_px) {
+// Samples of the same surface around, by how close they were shaded (eq. 7), where `wanted`.
+vec3 reconstructed(vec3 current, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
   float own_depth = viewDepth(k.frame, depthAt(px, last_px));
   vec3 sum = vec3(0.0);
   float weights = 0.0;
-  for (int i = 0; i < 9; ++i) {
+  int count = wanted ? 9 : 1;
+  int i = 0;
+  do {
     ivec2 at = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
     float depth = viewDepth(k.frame, depthAt(at, last_px));
     float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
     if (!depthsAgree(own_depth, depth, kSameSurface)) w = 0.0;
     if (i == 4) w = max(w, 1.0e-4);
-    sum += w * samples[i];
+    sum += w * yCoCgFromRgb(fetchColor(color_image, at, last_px));
     weights += w;
+    ++i;
+  } while (i < count);
+  return wanted ? sum / weights : current;
+}
+
+// Of the taps with these depths, in which this surface was seen.
+vec4 visibleTaps(float expected, vec4 then, float slope) {
+  vec4 valid;
+  for (int i = 0; i < 4; ++i) {
+    valid[i] = wasVisibleOnPlane(expected, then[i], k.depth_tolerance, slope) ? 1.0 : 0.0;
   }
-  return sum / weights;
+  return valid;
 }
 
 void main() {
@@ -166,9 +207,10 @@ void main() {
   vec3 current = samples[4];
   float weight = shadingWeight(px, center_px);
 
-  ivec2 front_px = nearestOfCross(px, last_px);
+  float front;
+  ivec2 front_px = nearestOfCross(px, last_px, front);
   vec2 motion_px = motionAt(front_px);
-  float view_depth = viewDepth(k.frame, depthAt(front_px, last_px));
+  float view_depth = viewDepth(k.frame, front);
   vec2 previous_extent_px = k.frame.previous_extent_px;
   vec2 previous_px = (center_px + motion_px) * (previous_extent_px / k.frame.extent_px);
   vec2 inside_px = clamp(previous_px, vec2(0.5), previous_extent_px - 0.5);
@@ -194,23 +236,21 @@ void main() {
     float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                            center_px - k.frame.jitter_px, view_depth);
     expected = min(expected, kMaxViewDepth);
-    float slope = kPlaneReach_px * inverseSlope(front_px, last_px);
-    for (int i = 0; i < 4; ++i) {
-      valid[i] = wasVisibleOnPlane(expected, then[i], k.depth_tolerance, slope) ? 1.0 : 0.0;
-    }
+    valid = visibleTaps(expected, then, 0.0);
+    // Few taps are nearer at all: the plane is asked for those.
+    bool nearer = dot(valid, vec4(1.0)) < 3.5;
+    float slope = inverseSlope(front_px, last_px, view_depth, nearer);
+    if (nearer) valid = visibleTaps(expected, then, kPlaneReach_px * slope);
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
     hit = hit && dot(valid, vec4(1.0)) > 0.5;
   }
 
-  vec4 history = cubicHistory(history_image, inside_px, k.frame.history_texel_uv, last_center_px,
-                              k.history_sharpness, false);
-  if (kHistoryClamp != 0u) {
-    history = withinInnerTexels(history, history_image, inside_px, last_center_px);
-  }
-  // A loop, not a branch: CPU drivers run both sides of a branch for every pixel.
-  for (int mixed = disoccluded && hit && kDisocclusion == kDisocclusionTaps ? 0 : 1; mixed < 1;
-       ++mixed) {
-    history = validHistory(history_image, inside_px, last_center_px, valid);
+  vec4 inner[4] = innerTexels(history_image, inside_px, last_center_px);
+  vec4 history = cubicAroundInner(inner, history_image, inside_px, k.frame.history_texel_uv,
+                                  last_center_px, k.history_sharpness);
+  if (kHistoryClamp != 0u) history = withinInner(history, inner);
+  if (disoccluded && hit && kDisocclusion == kDisocclusionTaps) {
+    history = validOfInner(inner, inside_px, valid);
   }
   bool still = length(motion_px) < kStillMotion_px;
   float held = hit ? min(history.a, still ? k.held_limit_still : k.held_limit) : 0.0;
@@ -218,9 +258,12 @@ void main() {
   vec3 previous = yCoCgFromRgb(sanitizedColor(history.rgb * k.frame.exposure_ratio));
   vec3 bounded = previous;
   if (kVariance != kVarianceNone) {
+    bool fine = kVariance == kVarianceFine || disoccluded;
+    if (kVariance == kVarianceCoarse) fine = false;
+    if (kVariance == kVarianceDynamic) {
+      fine = fine || atSilhouette(px, last_px, !fine && motionVaries(center_px));
+    }
     Moments m;
-    bool fine = kVariance == kVarianceFine;
-    if (kVariance == kVarianceDynamic) fine = disoccluded || atSilhouette(px, last_px);
     if (fine) {
       m = moments(samples);
     } else {
@@ -228,14 +271,13 @@ void main() {
     }
     float gamma = still ? k.gamma_still : k.gamma;
     vec3 middle = kAbout == kAboutOwn ? current : m.mean;
-    float slack = boundSlack(previous, current);
-    vec3 reach = gamma * m.deviation + slack;
+    vec3 reach = gamma * m.deviation + boundSlack(previous, current);
     bounded = clipTowardBoxCentre(middle - reach, middle + reach, previous);
   }
 
-  if (kReconstruct == kReconstructAlways ||
-      (kReconstruct == kReconstructFresh && held < k.mean_weight)) {
-    current = reconstructed(samples, px, last_px, center_px);
+  if (kReconstruct != kReconstructNone) {
+    bool mixes = kReconstruct == kReconstructAlways || held < k.mean_weight;
+    current = reconstructed(current, px, last_px, center_px, mixes);
   }
   float alpha = weightedMeanAlpha(weight, held);
   vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));

@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: MIT
+//
+// Which moments bound history (src/techniques/cpst/README.md, eq. 4), pixel by pixel.
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <cmath>
+#include <string>
+
+#include "equations/coarse.h"
+#include "equations/hash.h"
+#include "formula_source.h"
+#include "test_device.h"
+
+namespace reprise::lab {
+namespace {
+
+constexpr uint32_t kWidth = 51;
+constexpr uint32_t kHeight = 37;
+constexpr float kNear = 4.0f;
+constexpr float kFar = 10.0f;
+
+// Nothing like it around: bounds of both scales cut, each its own way.
+Rgb noise(float x_px, float y_px) {
+  const auto cell = [](float v) { return static_cast<uint32_t>(std::floor(v) + 100.0f); };
+  const float value =
+      static_cast<float>(eq::hashPixel(cell(x_px), cell(y_px), 7u) >> 8) / 16777216.0f;
+  return {value, 0.5f * value, 1.0f - value};
+}
+
+// A near board that moves by other pixels than its surroundings.
+bool onBoard(int x, int y) {
+  return x >= 17 && x < 30 && y >= 9 && y < 22;
+}
+eq::vec2 motionAt(int x, int y, float board_px) {
+  return onBoard(x, y) ? eq::vec2(board_px, 0.1f) : eq::vec2(1.0f, 0.0f);
+}
+
+FloatImage secondFrame(const char* technique, float board_px) {
+  Formula formula;
+  formula.color = noise;
+  formula.damage = [&](uint32_t, FloatImage&, FloatImage& depth, FloatImage& motion) {
+    for (uint32_t y = 0; y < kHeight; ++y) {
+      for (uint32_t x = 0; x < kWidth; ++x) {
+        const eq::vec2 v = motionAt(static_cast<int>(x), static_cast<int>(y), board_px);
+        motion.at(x, y)[0] = v.x;
+        motion.at(x, y)[1] = v.y;
+        *depth.at(x, y) = onBoard(static_cast<int>(x), static_cast<int>(y)) ? kNear : kFar;
+      }
+    }
+  };
+  FormulaSource source(testDevice(), {kWidth, kHeight}, formula);
+  Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+  return resolveFrames(resolver, source, 2);
+}
+
+// Equation (4) as it is written, without what the shader leaves out where it cannot hold.
+bool isSilhouette(int x, int y, float board_px) {
+  const auto clamped = [](int v, uint32_t size) {
+    return std::clamp(v, 0, static_cast<int>(size) - 1);
+  };
+  const eq::vec2 own = motionAt(x, y, board_px);
+  eq::vec2 front = own;
+  float longest_px = eq::length(own);
+  float nearest = 1.0e30f;
+  for (int i = 0; i < 9; ++i) {
+    if (i == 4) continue;
+    const int u = clamped(x + 2 * (i % 3 - 1), kWidth);
+    const int v = clamped(y + 2 * (i / 3 - 1), kHeight);
+    const eq::vec2 motion = motionAt(u, v, board_px);
+    longest_px = std::max(longest_px, eq::length(motion));
+    const float depth = onBoard(u, v) ? kNear : kFar;
+    if (depth < nearest) {
+      nearest = depth;
+      front = motion;
+    }
+  }
+  return eq::isSilhouette(own, front, longest_px, 0.3f);
+}
+
+class Cpst : public ::testing::TestWithParam<float> {};
+
+TEST_P(Cpst, TakesFineMomentsAtSilhouettesAndNowhereElse) {
+  const float board_px = GetParam();
+  const char* settings = "cpst:disocclusion=none,gamma=0.5,variance=";
+  const auto with = [&](const char* variance) {
+    return secondFrame((std::string(settings) + variance).c_str(), board_px);
+  };
+  const FloatImage dynamic = with("dynamic");
+  const FloatImage fine = with("fine");
+  const FloatImage coarse = with("coarse");
+  int silhouettes = 0;
+  int told_apart = 0;
+  for (uint32_t y = 0; y < kHeight; ++y) {
+    for (uint32_t x = 0; x < kWidth; ++x) {
+      const bool is = isSilhouette(static_cast<int>(x), static_cast<int>(y), board_px);
+      silhouettes += is ? 1 : 0;
+      const float expected = (is ? fine : coarse).at(x, y)[0];
+      told_apart += fine.at(x, y)[0] != coarse.at(x, y)[0] ? 1 : 0;
+      EXPECT_NEAR(dynamic.at(x, y)[0], expected, 1.0e-6f) << x << ", " << y;
+    }
+  }
+  EXPECT_GT(told_apart, static_cast<int>(kWidth * kHeight / 2));
+  // 1.2 px beside 1: 30 % of the longest is not reached.
+  const bool apart = board_px != 1.2f;
+  EXPECT_EQ(silhouettes > 0, apart) << silhouettes;
+}
+
+INSTANTIATE_TEST_SUITE_P(All, Cpst, ::testing::Values(1.2f, 1.5f, -2.0f, 40.0f));
+
+}  // namespace
+}  // namespace reprise::lab

@@ -120,6 +120,30 @@ TEST_F(Budget, TheChoiceIsTheSameEveryTime) {
   for (int i = 0; i < 6; ++i) ASSERT_TRUE(equal(a.next(), b.next())) << i;
 }
 
+// What a request gathers before shading is what a frame without one gathers after: but for
+// halves between the two, rounded like the buffers themselves. With residuals, whose eight bits are
+// compared with a tolerance, the two drift apart.
+TEST_F(Effort, ARequestGathersWhatTheResolveWould) {
+  constexpr double kAlike_db = 75.0;
+  constexpr double kDrifted_db = 50.0;
+  const std::pair<const char*, double> all[] = {{"", kAlike_db},
+                                                {",samples=frame", kAlike_db},
+                                                {",shutter=0.7", kAlike_db},
+                                                {",effort=2,motion=exact", kAlike_db},
+                                                {",residual=0.02", kDrifted_db}};
+  for (const auto& [settings, least_db] : all) {
+    // A budget of one lets nothing be served.
+    Sequence asks("brick/rotate", std::string("amortized:budget=1") + settings);
+    Sequence does_not("brick/rotate", std::string("amortized:requests=false") + settings);
+    double worst_db = 1.0e9;
+    for (int i = 0; i < 12; ++i) {
+      const double mse = meanSquaredError(displayImage(asks.next()), displayImage(does_not.next()));
+      worst_db = std::min(worst_db, psnrDb(mse));
+    }
+    EXPECT_GT(worst_db, least_db) << settings;
+  }
+}
+
 TEST_F(Effort, FewerBuffersInUseAreAsGoodAsFewerBuffers) {
   for (const char* count : {"1", "2"}) {
     Sequence used("brick/rotate", std::string("amortized:effort=") + count);

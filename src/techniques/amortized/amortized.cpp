@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: MIT
 #include <cstring>
+#include <optional>
 
 #include "reprise/reprise.h"
 // reprise.h first: shared headers are GLSL too and include no Vulkan header.
@@ -28,7 +29,8 @@ class Amortized final : public Technique {
                 .exact_motion = s.choice(kMotion) == kMotionExact,
                 .silhouettes = s.choice(kSamples) == kSamplesFrame,
                 .residuals = s.number(kResidual) > 0.0,
-                .coverage = s.on(kCoverage)};
+                .coverage = s.on(kCoverage),
+                .shutter = s.number(kShutter) > 0.0};
     const VkFormat one =
         declaration.storable(VK_FORMAT_R16_SFLOAT) ? VK_FORMAT_R16_SFLOAT : VK_FORMAT_R32_SFLOAT;
     // One more than are read: a gather reads neighbours of the buffer that is written.
@@ -53,6 +55,8 @@ class Amortized final : public Technique {
           "failed quadrants",
           declaration.storable(VK_FORMAT_R8_UNORM) ? VK_FORMAT_R8_UNORM : VK_FORMAT_R32_SFLOAT,
           extent, 1);
+      gathered_ =
+          declaration.history("gathered color, weight", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 1);
       request_ = declareRequestPasses(declaration, variant_);
     }
     resolve_ = declareResolvePass(declaration, variant_);
@@ -65,17 +69,19 @@ class Amortized final : public Technique {
 
   void recordRequest(Recorder& recorder, const FrameState& state) override {
     beginFrame(state);
+    const uint32_t target = targetOf(state);
     const VkImageView failed = recorder.history(failed_).current(0);
     const RequestConstants constants =
         requestConstants(state, recorder.history(buffers_).extent(), recorder.requestCapacity());
-    PassRecording find = recorder.pass(request_.find);
-    bindReprojection(find, recorder, state);
-    find.buffer(recorder.requests())
-        .write(failed)
-        .constants(constantsOf(recorder, state, targetOf(state)))
-        .read(recorder.history(samples_).previous(state.record))
-        .read(newestBuffer(recorder, state))
-        .dispatch(state.output_extent);
+    const AmortizedConstants gathering = constantsOf(recorder, state, target);
+    PassRecording gather = recorder.pass(request_.gather);
+    bindReprojection(gather, recorder, state);
+    gather.buffer(recorder.requests()).write(failed).constants(gathering);
+    bindPrevious(gather, recorder, state);
+    gather.write(recorder.history(gathered_).current(0));
+    writeNext(gather, recorder, state);
+    gather.write(changeBound(recorder)).dispatch(state.output_extent);
+    gathered_for_ = gathering;
     recorder.pass(request_.threshold)
         .buffer(recorder.requests())
         .constants(constants)
@@ -90,7 +96,14 @@ class Amortized final : public Technique {
   void record(Recorder& recorder, const FrameState& state) override {
     beginFrame(state);
     const uint32_t target = targetOf(state);
-    recordResolve(recorder, state, target);
+    const AmortizedConstants constants = constantsOf(recorder, state, target);
+    const bool gathered = gathered_for_.has_value() && gatheredAlike(*gathered_for_, constants);
+    gathered_for_.reset();
+    if (gathered) {
+      recordBlend(recorder, state, constants);
+    } else {
+      recordResolve(recorder, state, constants);
+    }
     if (variant_.coverage) recordCoverage(recorder, state);
     if (variant_.residuals) recordResiduals(recorder, state);
     BufferHistory::Written written{
@@ -119,34 +132,75 @@ class Amortized final : public Technique {
     return slotOfBuffer(past_.slots(), bufferCount(state.settings), bufferWrittenBy(state));
   }
 
-  void recordResolve(Recorder& recorder, const FrameState& state, uint32_t target) {
-    const HistoryImage& buffers = recorder.history(buffers_);
-    const HistoryImage& samples = recorder.history(samples_);
-    const RepriseImage none = recorder.orFloatPlaceholder({});
-    const auto currentOr = [&](bool there, HistoryHandle handle) {
-      return there ? recorder.history(handle).current(state.record) : none.view;
-    };
+  // What `gathered` says holds for a frame of `now` as well, but for what was shaded since.
+  static bool gatheredAlike(AmortizedConstants gathered, const AmortizedConstants& now) {
+    gathered.extra_given = now.extra_given;
+    return std::memcmp(&gathered, &now, sizeof now) == 0;
+  }
+
+  void recordBlend(Recorder& recorder, const FrameState& state,
+                   const AmortizedConstants& constants) {
+    const VkImageView none = recorder.orFloatPlaceholder({}).view;
+    const VkImageView buffer = recorder.history(buffers_).copy(past_.spareCopy());
+    const VkImageView samples = recorder.history(samples_).current(state.record);
+    const VkImageView residual =
+        variant_.residuals ? recorder.history(residual_).current(state.record) : none;
+    PassRecording pass = recorder.pass(request_.blend);
+    pass.read(state.frame.depth).read(state.frame.motion);
+    pass.read(state.frame.color).read(recorder.orFloatPlaceholder(state.frame.extra));
+    pass.read(recorder.history(gathered_).current(0)).read(buffer).read(samples).read(residual);
+    pass.read(changeBound(recorder));
+    pass.write(buffer).write(samples).write(residual).write(shownImage(recorder, state));
+    pass.constants(constants).dispatch(state.output_extent);
+    recorder.pass(resolve_).skip();
+  }
+
+  void recordResolve(Recorder& recorder, const FrameState& state,
+                     const AmortizedConstants& constants) {
+    if (state.settings.on(kRequests)) recorder.pass(request_.blend).skip();
     PassRecording pass = recorder.pass(resolve_);
     bindReprojection(pass, recorder, state);
     pass.read(state.frame.color);
     pass.read(recorder.orFloatPlaceholder(state.frame.extra));
-    pass.read(samples.previous(state.record));
+    bindPrevious(pass, recorder, state);
+    writeNext(pass, recorder, state);
+    pass.write(shownImage(recorder, state)).constants(constants).dispatch(state.output_extent);
+  }
+
+  // N, the buffer that the previous frame wrote, residuals.
+  void bindPrevious(PassRecording& pass, Recorder& recorder, const FrameState& state) const {
+    const RepriseImage none = recorder.orFloatPlaceholder({});
+    pass.read(recorder.history(samples_).previous(state.record));
+    pass.read(newestBuffer(recorder, state));
     if (variant_.residuals) {
       pass.read(recorder.history(residual_).previous(state.record));
       pass.read(recorder.history(smoothed_).current(0));
     } else {
       pass.read(none).read(none);
     }
-    pass.write(buffers.copy(past_.spareCopy()));
-    pass.write(samples.current(state.record));
+  }
+
+  void writeNext(PassRecording& pass, Recorder& recorder, const FrameState& state) const {
+    const VkImageView none = recorder.orFloatPlaceholder({}).view;
+    const auto currentOr = [&](bool there, HistoryHandle handle) {
+      return there ? recorder.history(handle).current(state.record) : none;
+    };
+    pass.write(recorder.history(buffers_).copy(past_.spareCopy()));
+    pass.write(recorder.history(samples_).current(state.record));
     pass.write(currentOr(!variant_.exact_motion, motion_0_));
     pass.write(currentOr(!variant_.exact_motion && variant_.slots > 2, motion_1_));
     pass.write(currentOr(variant_.residuals, residual_));
-    pass.write(composesCoverage(state) ? recorder.history(resolved_).current(0)
-                                       : state.frame.output.view);
-    pass.constants(constantsOf(recorder, state, target));
-    pass.read(newestBuffer(recorder, state));
-    pass.dispatch(state.output_extent);
+  }
+
+  // Between request and resolve the first of the residual passes' images is free.
+  VkImageView changeBound(Recorder& recorder) const {
+    return variant_.residuals ? recorder.history(row_means_).current(0)
+                              : recorder.orFloatPlaceholder({}).view;
+  }
+
+  VkImageView shownImage(Recorder& recorder, const FrameState& state) const {
+    return composesCoverage(state) ? recorder.history(resolved_).current(0)
+                                   : state.frame.output.view;
   }
 
   // What the previous frame wrote, with its depths; any buffer where it wrote none.
@@ -227,6 +281,7 @@ class Amortized final : public Technique {
   Variant variant_;
   BufferHistory past_;
   ConstantsBuilder constants_;
+  std::optional<AmortizedConstants> gathered_for_;  // the request of a frame not yet resolved
   HistoryHandle buffers_ = 0;
   HistoryHandle samples_ = 0;
   HistoryHandle motion_0_ = 0;
@@ -235,6 +290,7 @@ class Amortized final : public Technique {
   HistoryHandle row_means_ = 0;
   HistoryHandle smoothed_ = 0;
   HistoryHandle failed_ = 0;
+  HistoryHandle gathered_ = 0;
   HistoryHandle resolved_ = 0;
   RequestPasses request_;
   PassHandle resolve_ = 0;

@@ -16,8 +16,11 @@ constexpr uint32_t kResidualShader[] = {
 constexpr uint32_t kCoverageShader[] = {
 #include "amortized_coverage.comp.inc"
 };
-constexpr uint32_t kRequestFindShader[] = {
-#include "amortized_request_find.comp.inc"
+constexpr uint32_t kGatherShader[] = {
+#include "amortized_gather.comp.inc"
+};
+constexpr uint32_t kBlendShader[] = {
+#include "amortized_blend.comp.inc"
 };
 constexpr uint32_t kRequestThresholdShader[] = {
 #include "amortized_request_threshold.comp.inc"
@@ -29,14 +32,15 @@ constexpr uint32_t kRequestListShader[] = {
 // reproject.glsl: depth, motion, four images of past motion, four subpixel buffers.
 std::vector<Binding> afterReprojection(std::initializer_list<Binding> own) {
   std::vector<Binding> bindings = {
-      Binding::kTexel, Binding::kTexel,  Binding::kLinear, Binding::kLinear, Binding::kTexel,
-      Binding::kTexel, Binding::kLinear, Binding::kLinear, Binding::kLinear, Binding::kLinear};
+      Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kLinear, Binding::kTexel,
+      Binding::kTexel, Binding::kTexel, Binding::kTexel,  Binding::kTexel,  Binding::kTexel};
   for (const Binding binding : own) bindings.push_back(binding);
   return bindings;
 }
 
-std::vector<uint32_t> reprojectionSpecialization(const Variant& variant) {
-  return {variant.slots, variant.exact_motion ? 1u : 0u, variant.silhouettes ? 1u : 0u};
+std::vector<uint32_t> specializationOf(const Variant& variant) {
+  return {variant.slots, variant.exact_motion ? 1u : 0u, variant.silhouettes ? 1u : 0u,
+          variant.residuals ? 1u : 0u, variant.shutter ? 1u : 0u};
 }
 
 }  // namespace
@@ -44,13 +48,16 @@ std::vector<uint32_t> reprojectionSpecialization(const Variant& variant) {
 RequestPasses declareRequestPasses(Declaration& declaration, const Variant& variant) {
   declaration.makeRequests(kRequestBins);
   RequestPasses passes;
-  passes.find = declaration.pass(
-      {.name = "request",
-       .spirv = kRequestFindShader,
+  passes.gather = declaration.pass(
+      {.name = "gather",
+       .spirv = kGatherShader,
        .bindings = afterReprojection({Binding::kBuffer, Binding::kStorage, Binding::kConstants,
-                                      Binding::kLinear, Binding::kLinear}),
+                                      Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                                      Binding::kTexel, Binding::kStorage, Binding::kStorage,
+                                      Binding::kStorage, Binding::kStorage, Binding::kStorage,
+                                      Binding::kStorage, Binding::kStorage}),
        .constant_bytes = sizeof(AmortizedConstants),
-       .specialization = reprojectionSpecialization(variant)});
+       .specialization = specializationOf(variant)});
   passes.threshold = declaration.pass({.name = "request threshold",
                                        .spirv = kRequestThresholdShader,
                                        .bindings = {Binding::kBuffer, Binding::kConstants},
@@ -62,21 +69,28 @@ RequestPasses declareRequestPasses(Declaration& declaration, const Variant& vari
                         .bindings = {Binding::kTexel, Binding::kBuffer, Binding::kConstants},
                         .constant_bytes = sizeof(RequestConstants),
                         .specialization = {REPRISE_REQUEST_GROUP_SIZE}});
+  passes.blend = declaration.pass(
+      {.name = "blend",
+       .spirv = kBlendShader,
+       .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                    Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                    Binding::kTexel, Binding::kStorage, Binding::kStorage, Binding::kStorage,
+                    Binding::kStorage, Binding::kConstants},
+       .constant_bytes = sizeof(AmortizedConstants),
+       .specialization = specializationOf(variant)});
   return passes;
 }
 
 PassHandle declareResolvePass(Declaration& declaration, const Variant& variant) {
-  std::vector<uint32_t> specialization = reprojectionSpecialization(variant);
-  specialization.push_back(variant.residuals ? 1 : 0);
   return declaration.pass(
       {.name = "resolve",
        .spirv = kResolveShader,
        .bindings = afterReprojection(
-           {Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kLinear,
-            Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kStorage,
-            Binding::kStorage, Binding::kStorage, Binding::kConstants, Binding::kLinear}),
+           {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+            Binding::kTexel, Binding::kStorage, Binding::kStorage, Binding::kStorage,
+            Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kConstants}),
        .constant_bytes = sizeof(AmortizedConstants),
-       .specialization = std::move(specialization)});
+       .specialization = specializationOf(variant)});
 }
 
 PassHandle declareCoveragePass(Declaration& declaration) {

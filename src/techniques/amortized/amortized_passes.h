@@ -15,12 +15,14 @@ struct Variant {
   bool silhouettes = false;  // the projection is jittered
   bool residuals = false;
   bool coverage = false;
+  bool shutter = false;
 };
 
 struct RequestPasses {
-  PassHandle find = 0;       // which quadrants of which pixels failed, and how many of each rank
+  PassHandle gather = 0;     // the history, which quadrants of which pixels failed, how many a rank
   PassHandle threshold = 0;  // the rank at which the budget ends
   PassHandle list = 0;       // the pixels that are within it
+  PassHandle blend = 0;      // in the place of the resolve: the rest of it
 };
 
 struct ResidualPasses {

@@ -71,7 +71,7 @@ constexpr auto kSettings = settingTable({
                   "what a half counts exactly; the paper's 8 bits end at 255"),
     numberSetting(kShutter, "shutter", 0.0, 0.0, 1.0, "frames",
                   "motion blur: how long the shutter is open about the frame's instant; 0: none",
-                  "Yang et al. 2009, section 8, future work"),
+                  "Yang et al. 2009, section 8, future work", 1),
     switchSetting(kCoverage, "coverage", false,
                   "silhouettes by hardware multisampling: RepriseFrame::depth_samples says which "
                   "share of a pixel each neighbouring surface covers; costs 8 bytes a pixel",

@@ -1,23 +1,13 @@
 // SPDX-License-Identifier: MIT
 //
-// Where a pixel's surface was when each subpixel buffer was written, and what the buffer holds
-// there. Shared by the resolve and the request pass, which must agree on what counts.
+// Where a pixel's surface was when each subpixel buffer was written, and which of a buffer's texels
+// show it there.
 #ifndef REPRISE_AMORTIZED_REPROJECT_GLSL
 #define REPRISE_AMORTIZED_REPROJECT_GLSL
 
-#include "core/frame_inputs.glsl"
 #include "equations/amortized.h"
-#include "techniques/amortized/amortized_shared.h"
+#include "techniques/amortized/gathered.glsl"
 
-// Images that hold buffers; how many of them are in use is known when a frame is recorded.
-layout(constant_id = 0) const uint kSlots = 4u;
-// 0: motion of frame pairs, chained; 1: the host's motion to each buffer's frame.
-layout(constant_id = 1) const uint kExactMotion = 0u;
-// 1: the projection is jittered, so that surfaces change from frame to frame at silhouettes.
-layout(constant_id = 2) const uint kSilhouettes = 0u;
-
-layout(binding = 0) uniform sampler2D depth_image;
-layout(binding = 1) uniform sampler2D motion_image;
 // Exact: motion to the frame of buffer k. Chained: 0 and 1 hold, two buffers each, the motion from
 // the previous frame to that of the buffers.
 layout(binding = 2) uniform sampler2D past_motion_0;
@@ -30,37 +20,12 @@ layout(binding = 7) uniform sampler2D buffer_1;
 layout(binding = 8) uniform sampler2D buffer_2;
 layout(binding = 9) uniform sampler2D buffer_3;
 
-// A global, not an argument: an argument would be copied, 4 KiB an invocation, wherever a loop over
-// slots is not unrolled. The includer says at which binding.
-layout(binding = kConstantsBinding, std140) uniform Constants {
-  AmortizedConstants k;
-};
-
-// Depth lies in the alpha of RGBA16F; what is farther than a half can say is equally far.
-const float kFarthestHalf = 65504.0;
-// Changes of motion from pixel to pixel beyond this are silhouettes, not the surface's own.
-const float kSteepestMotion = 0.5;
 // A Jacobian flatter than this is not inverted: the surface is seen edge-on.
 const float kFlattest = 0.05;
 // Depths of one surface may leave the plane through its pixel by this share of its slope.
 const float kBend = 0.25;
 // The pixel's own tent (20), twice as wide as a buffer's.
 const float kPixelTentRadius_px = 1.0;
-
-struct Surface {
-  ivec2 px;
-  vec2 center_px;
-  float view_depth;
-  // Inverse depth is linear over a plane's pixels: at `depth_px`, free of jitter, and its change
-  // from pixel to pixel.
-  float inverse_depth;
-  vec2 depth_px;
-  vec2 inverse_slope;
-  float depth_span;  // silhouettes: how far behind it the farthest of 3x3 lies
-  vec2 motion_px;    // to the previous frame
-  vec2 motion_dx;    // d motion_px / d px.x on the surface
-  vec2 motion_dy;
-};
 
 // The way from a pixel's surface to one of the buffers.
 struct Way {
@@ -70,58 +35,6 @@ struct Way {
   float depth_shift;
   float shift_known;
 };
-
-float depthAt(ivec2 px, ivec2 last_px) {
-  return viewDepth(k.frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);
-}
-vec2 motionAt(ivec2 px, ivec2 last_px) {
-  return motionPx(k.frame, texelFetch(motion_image, clamp(px, ivec2(0), last_px), 0).xy);
-}
-
-// Differences to the neighbour of nearer depth: across a silhouette they would not be the
-// surface's own.
-Surface surfaceAt(ivec2 px) {
-  ivec2 last_px = ivec2(k.frame.extent_px) - 1;
-  Surface s;
-  s.px = px;
-  s.center_px = vec2(px) + 0.5;
-  ivec2 at_px = px;
-  s.view_depth = depthAt(px, last_px);
-  float farthest = s.view_depth;
-  if (kSilhouettes != 0u) {
-    // The closest of 3x3: motion reaches half a pixel beyond the edge that is jittered across it.
-    for (int i = 0; i < 9; ++i) {
-      ivec2 neighbour_px = px + ivec2(i % 3 - 1, i / 3 - 1);
-      float depth = depthAt(neighbour_px, last_px);
-      farthest = max(farthest, depth);
-      if (depth < s.view_depth) {
-        s.view_depth = depth;
-        at_px = clamp(neighbour_px, ivec2(0), last_px);
-      }
-    }
-  }
-  s.depth_span = farthest - s.view_depth;
-  s.inverse_depth = 1.0 / s.view_depth;
-  s.depth_px = vec2(at_px) + 0.5 - k.frame.jitter_px;
-  s.motion_px = motionAt(at_px, last_px);
-  vec2 steps[2];
-  for (int axis = 0; axis < 2; ++axis) {
-    ivec2 step_px = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    float ahead = 1.0 / depthAt(at_px + step_px, last_px) - s.inverse_depth;
-    float behind = s.inverse_depth - 1.0 / depthAt(at_px - step_px, last_px);
-    // At the frame's border the clamped neighbour is the pixel itself: no difference to go by.
-    bool first = any(lessThan(at_px - step_px, ivec2(0)));
-    bool last = any(greaterThan(at_px + step_px, last_px));
-    bool forward = !last && (first || abs(ahead) <= abs(behind));
-    s.inverse_slope[axis] = forward ? ahead : behind;
-    steps[axis] = forward ? motionAt(at_px + step_px, last_px) - s.motion_px
-                          : s.motion_px - motionAt(at_px - step_px, last_px);
-    steps[axis] = clamp(steps[axis], vec2(-kSteepestMotion), vec2(kSteepestMotion));
-  }
-  s.motion_dx = steps[0];
-  s.motion_dy = steps[1];
-  return s;
-}
 
 vec2 previousPx(Surface s) {
   return s.center_px + s.motion_px;
@@ -280,13 +193,6 @@ float samplesBefore(sampler2D counts, Previous previous) {
     sum += previous.shares[i] * texelFetch(counts, texelOf(previous.base, i), 0).x;
   }
   return sum;
-}
-
-vec4 depthsOf(uint b, Footprint f) {
-  if (b == 0u) return depthsIn(buffer_0, f);
-  if (b == 1u) return depthsIn(buffer_1, f);
-  if (b == 2u) return depthsIn(buffer_2, f);
-  return depthsIn(buffer_3, f);
 }
 
 vec4 texelIn(uint b, ivec2 texel) {

@@ -186,36 +186,34 @@ class Cpst final : public Technique {
                                  : VkExtent2D{1, 1};
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
-    mean_ = d.history("mean", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
-    variance_ = d.history("variance", VK_FORMAT_R16G16B16A16_SFLOAT, tiles, 1);
+    moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
     motion_box_ = d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT,
                             s.choice(kVariance) == kVarianceDynamic ? tiles : VkExtent2D{1, 1}, 1);
     if (coarse_moments_) {
       moments_ = d.pass({.name = "moments",
                          .spirv = kMomentsShader,
                          .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
-                                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                                      Binding::kStorage, Binding::kConstants},
                          .constant_bytes = sizeof(CpstConstants),
                          .specialization = {s.choice(kVariance)}});
     }
-    resolve_ = d.pass(
-        {.name = "resolve",
-         .spirv = kResolveShader,
-         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                      Binding::kTexel, Binding::kTexel, Binding::kLinear, Binding::kTexel,
-                      Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kConstants},
-         .constant_bytes = sizeof(CpstConstants),
-         .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
-                            s.choice(kShadingFilter), s.choice(kReconstruct),
-                            s.on(kHistoryClamp) ? 1u : 0u}});
+    resolve_ =
+        d.pass({.name = "resolve",
+                .spirv = kResolveShader,
+                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                             Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
+                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                .constant_bytes = sizeof(CpstConstants),
+                .specialization = {s.choice(kVariance), s.choice(kClipAbout),
+                                   s.choice(kDisocclusion), s.choice(kShadingFilter),
+                                   s.choice(kReconstruct), s.on(kHistoryClamp) ? 1u : 0u}});
     mean_weight_ = 0.0f;
   }
 
   void record(Recorder& recorder, const FrameState& state) override {
     const HistoryImage& color = recorder.history(color_);
     const HistoryImage& depth = recorder.history(depth_);
-    const HistoryImage& mean = recorder.history(mean_);
-    const HistoryImage& variance = recorder.history(variance_);
+    const HistoryImage& moment_texels = recorder.history(moment_texels_);
     const HistoryImage& motion_box = recorder.history(motion_box_);
     const CpstConstants constants = constantsOf(state, color.extent());
     const uint64_t n = state.record;
@@ -223,8 +221,7 @@ class Cpst final : public Technique {
       recorder.pass(moments_)
           .read(state.frame.color)
           .read(state.frame.motion)
-          .write(mean.current(0))
-          .write(variance.current(0))
+          .write(moment_texels.current(0))
           .write(motion_box.current(0))
           .constants(constants)
           .dispatch({(state.output_extent.width + kMomentSize - 1) / kMomentSize,
@@ -234,8 +231,7 @@ class Cpst final : public Technique {
         .read(state.frame.color)
         .read(state.frame.depth)
         .read(state.frame.motion)
-        .read(mean.current(0))
-        .read(variance.current(0))
+        .read(moment_texels.current(0))
         .read(motion_box.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
@@ -276,8 +272,7 @@ class Cpst final : public Technique {
   double mean_weight_key_ = 0.0;
   HistoryHandle color_ = 0;
   HistoryHandle depth_ = 0;
-  HistoryHandle mean_ = 0;
-  HistoryHandle variance_ = 0;
+  HistoryHandle moment_texels_ = 0;
   HistoryHandle motion_box_ = 0;
   PassHandle moments_ = 0;
   PassHandle resolve_ = 0;

@@ -17,10 +17,9 @@ layout(constant_id = 0) const uint kVariance = 0u;
 
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D motion_image;
-layout(binding = 2) writeonly uniform image2D mean_image;
-layout(binding = 3) writeonly uniform image2D variance_image;
-layout(binding = 4) writeonly uniform image2D motion_box_image;  // xy: low, zw: high, px
-layout(binding = 5, std140) uniform Constants {
+layout(binding = 2) writeonly uniform uimage2D moments_image;    // three words of two halves
+layout(binding = 3) writeonly uniform image2D motion_box_image;  // xy: low, zw: high, px
+layout(binding = 4, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -39,9 +38,10 @@ void main() {
   }
   float share = 1.0 / float(kMomentSize * kMomentSize);
   vec3 mean = sum * share;
-  imageStore(mean_image, texel, vec4(mean, 0.0));
-  imageStore(variance_image, texel,
-             vec4(min(max(sum_of_squares * share - mean * mean, vec3(0.0)), kMaxColor), 0.0));
+  vec3 variance = min(max(sum_of_squares * share - mean * mean, vec3(0.0)), vec3(kMaxColor));
+  imageStore(moments_image, texel,
+             uvec4(packHalf2x16(mean.xy), packHalf2x16(vec2(mean.z, variance.x)),
+                   packHalf2x16(variance.yz), 0u));
   if (kVariance != kVarianceDynamic) return;
   vec2 low_px = vec2(3.0e38);
   vec2 high_px = vec2(-3.0e38);

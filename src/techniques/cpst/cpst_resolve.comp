@@ -28,15 +28,14 @@ layout(constant_id = 5) const uint kHistoryClamp = 0u;
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
-layout(binding = 3) uniform sampler2D mean_image;
-layout(binding = 4) uniform sampler2D variance_image;
-layout(binding = 5) uniform sampler2D motion_box_image;     // of the same pixels; xy: low, zw: high
-layout(binding = 6) uniform sampler2D history_image;        // rgb linear, a: summed weight
-layout(binding = 7) uniform sampler2D history_depth_image;  // r: view depth
-layout(binding = 8) writeonly uniform image2D next_history_image;
-layout(binding = 9) writeonly uniform image2D next_depth_image;
-layout(binding = 10) writeonly uniform image2D output_image;
-layout(binding = 11, std140) uniform Constants {
+layout(binding = 3) uniform usampler2D moments_image;       // of 4 x 4 pixels; cpst_moments.comp
+layout(binding = 4) uniform sampler2D motion_box_image;     // of the same pixels; xy: low, zw: high
+layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
+layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
+layout(binding = 7) writeonly uniform image2D next_history_image;
+layout(binding = 8) writeonly uniform image2D next_depth_image;
+layout(binding = 9) writeonly uniform image2D output_image;
+layout(binding = 10, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -159,9 +158,11 @@ Moments coarseMoments(vec2 center_px) {
     ivec2 corner = ivec2(i % 2, i / 2);
     vec2 w = mix(1.0 - f, f, vec2(corner));
     ivec2 texel = clamp(base + corner, ivec2(0), last);
-    vec3 m = texelFetch(mean_image, texel, 0).rgb;
+    uvec3 packed = texelFetch(moments_image, texel, 0).xyz;
+    vec2 between = unpackHalf2x16(packed.y);
+    vec3 m = vec3(unpackHalf2x16(packed.x), between.x);
     mean += w.x * w.y * m;
-    square += w.x * w.y * (texelFetch(variance_image, texel, 0).rgb + m * m);
+    square += w.x * w.y * (vec3(between.y, unpackHalf2x16(packed.z)) + m * m);
   }
   return Moments(mean, deviationFromMoments(mean, square));
 }

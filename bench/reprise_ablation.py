@@ -24,6 +24,7 @@ INGREDIENTS = [
     ("taa", "taa"),
     ("samples not weighted by distance", "reprise:sample_width=4"),
     ("history moved without lobes", "reprise:sharpness=0"),
+    ("history moved by Lanczos alone", "reprise:sharpness=1"),
     ("no depth test", "reprise:depth_tolerance=1"),
     ("farthest depth of one frame", "reprise:far_frames=0"),
     ("what silhouettes leave not bounded", "reprise:bound_uncovered=3"),

@@ -60,7 +60,20 @@ EQ_FN vec4 cubicWeights(float f, float c) {
               (c - 2.0f) * f3 + (3.0f - 2.0f * c) * f2 + c * f, c * (f3 - f2));
 }
 
-// The same with the two inner texels merged into one linear fetch: weights at -1,
+// Weights of the texels at a distance of f, 1 + f and 2 + f, f in [0, 1]: lanczosFilter with three
+// lobes by angle addition. A position f past texel 0 takes those of f to its left, which it is on,
+// and those of 1 - f to its right; their sum differs from 1 by up to 1 %.
+EQ_FN vec3 lanczosHalfWeights(float f) {
+  float t = 3.14159265359f * max(f, 1.0e-4f);
+  float s = sin(t / 3.0f);
+  float c = 0.86602540378f * cos(t / 3.0f);
+  float turn = 3.0f * sin(t);
+  float t1 = t + 3.14159265359f;
+  float t2 = t + 6.28318530718f;
+  return turn * vec3(s / (t * t), (-0.5f * s - c) / (t1 * t1), (c - 0.5f * s) / (t2 * t2));
+}
+
+// The cubic's with the two inner texels merged into one linear fetch: weights at -1,
 // mergedCubicOffset and 2. Jimenez 2016; Karis 2014.
 EQ_FN vec3 mergedCubicWeights(vec4 weights) {
   return vec3(weights.x, weights.y + weights.z, weights.w);

@@ -89,6 +89,16 @@ TEST(Filters, ValuesByHand) {
   EXPECT_NEAR(mitchellFilter(1.5f), -5.0f / 144.0f, 2e-6f);
   EXPECT_NEAR(lanczosFilter(0.5f, 2.0f), 0.573159f, 1e-5f);  // 4 sqrt 2 / pi^2
   EXPECT_NEAR(lanczosFilter(1.0f, 3.0f), 0.0f, 1e-6f);
+  EXPECT_NEAR(lanczosHalfWeights(0.5f).x, 0.607927f, 1e-5f);  // 6 / pi^2
+  for (int i = 0; i <= 64; ++i) {
+    const float f = static_cast<float>(i) / 64.0f;
+    const vec3 w = lanczosHalfWeights(f);
+    EXPECT_NEAR(w.x, lanczosFilter(f, 3.0f), 1e-4f) << f;
+    EXPECT_NEAR(w.y, lanczosFilter(1.0f + f, 3.0f), 1e-4f) << f;
+    EXPECT_NEAR(w.z, lanczosFilter(2.0f + f, 3.0f), 1e-4f) << f;
+    const vec3 right = lanczosHalfWeights(1.0f - f);
+    EXPECT_NEAR(w.x + w.y + w.z + right.x + right.y + right.z, 1.0f, 0.01f) << f;
+  }
   EXPECT_NEAR(blackmanHarrisWindow(0.0f, 3.3f), 1.0f, 1e-6f);
   EXPECT_NEAR(gaussianFilter(0.5f, 0.5f), 0.606531f, 1e-6f);
 }

@@ -94,6 +94,29 @@ vec4 texelWeights(vec2 offset_px, float held) {
   return weight * (kFrameWeight * share / dot(weight, vec4(1.0)));
 }
 
+// The frame alone at `nearest_px` from its sample 4 (input px): a Gaussian, drawn out along edges.
+// Widths, Sobel's gradient and the ramp are smoothedAlongEdge's; unlike there a pixel without an
+// edge is interpolated too, since its own sample may lie at its rim, or in another pixel.
+vec3 smoothedAt(vec3 s[9], vec2 nearest_px) {
+  vec2 gradient = vec2((s[2].x + 2.0 * s[5].x + s[8].x) - (s[0].x + 2.0 * s[3].x + s[6].x),
+                       (s[6].x + 2.0 * s[7].x + s[8].x) - (s[0].x + 2.0 * s[1].x + s[2].x));
+  float steepness = length(gradient);
+  vec2 across = gradient / max(steepness, 1.0e-6);
+  float edge = clamp((steepness * 0.25 - 0.0625) * 16.0, 0.0, 1.0);
+  const float kAcross = 0.11;
+  float along = mix(kAcross, 1.0, edge);
+  vec3 sum = vec3(0.0);
+  float weight_sum = 0.0;
+  for (int i = 0; i < 9; ++i) {
+    vec2 offset_px = nearest_px + vec2(float(i % 3) - 1.0, float(i / 3) - 1.0);
+    float a = dot(offset_px, across);
+    float weight = exp(-0.5 * (a * a / kAcross + (dot(offset_px, offset_px) - a * a) / along));
+    sum += weight * s[i];
+    weight_sum += weight;
+  }
+  return sum / weight_sum;
+}
+
 void main() {
   ivec2 output_px = ivec2(gl_GlobalInvocationID.xy);
   if (any(greaterThanEqual(output_px, ivec2(k.output_extent_px)))) return;
@@ -191,9 +214,7 @@ void main() {
   float held = 0.25 * (block.texel[0].a + block.texel[1].a + block.texel[2].a + block.texel[3].a);
   float alone = clamp(1.0 - held / kAloneSamples, 0.0, 1.0);
   for (int fresh = alone > 0.0 ? 0 : 1; fresh < 1; ++fresh) {
-    float luma[9];
-    for (int i = 0; i < 9; ++i) luma[i] = samples[i].x;
-    vec3 smoothed = rgbFromYCoCg(smoothedAlongEdge(samples, luma, samples[4]));
+    vec3 smoothed = rgbFromYCoCg(smoothedAt(samples, sample_px / ratio));
     current = mix(current, max(smoothed, vec3(0.0)), alone);
   }
   vec4 texel_weight = texelWeights(sample_px, held);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: MIT
-// History for the 2 x 2 texels of a pixel, moved as one: 5 x 5 texels are read once and weighted
+// History for the 2 x 2 texels of a pixel, moved as one: 7 x 7 texels are read once and weighted
 // four times (eq. 9).
 #ifndef REPRISE_TECHNIQUES_REPRISE_HISTORY_BLOCK_GLSL
 #define REPRISE_TECHNIQUES_REPRISE_HISTORY_BLOCK_GLSL
@@ -7,6 +7,20 @@
 #include "core/frame_inputs.glsl"
 #include "equations/filters.h"
 #include "techniques/reprise/prediction.glsl"
+
+const int kTaps = 6;
+// The 2 x 2 texels' taps, an axis.
+const int kReach = kTaps + 1;
+
+// Lanczos with three lobes, mixed with linear; taps at -2 to 3 for a position `f` past texel 0.
+float[kTaps] tapWeights(float f, float sharpness) {
+  vec3 left = lanczosHalfWeights(f);
+  vec3 right = lanczosHalfWeights(1.0 - f);
+  float scale = sharpness / dot(left + right, vec3(1.0));
+  left = scale * left + vec3((1.0 - sharpness) * (1.0 - f), 0.0, 0.0);
+  right = scale * right + vec3((1.0 - sharpness) * f, 0.0, 0.0);
+  return float[kTaps](left.z, left.y, left.x, right.x, right.y, right.z);
+}
 
 struct HistoryBlock {
   vec4 texel[4];    // rgb linear, a: samples held; (0,0) (1,0) (0,1) (1,1)
@@ -23,7 +37,8 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
   vec2 base = floor(at);
   vec2 f = at - base;
 
-  // Depth is one a pixel of the input; five texels in a row lie in three of them at most.
+  // Depth is one a pixel of the input; the inner five texels in a row lie in three of them at most.
+  // The outermost, of 3 % at most, count as their neighbours do.
   vec2 texel_px = 0.5 * k.frame.previous_extent_px / k.previous_output_extent_px;
   ivec2 first_px = ivec2(floor((base - 0.5) * texel_px));
   ivec2 count_px = ivec2(floor((base + 3.5) * texel_px)) - first_px + 1;
@@ -45,33 +60,35 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     valid_count += valid[i];
     block.uncovered += there >= (1.0 - k.depth_tolerance) * depths.y ? 0.0 : valid[i];
   }
-  // A cubic with taps left out would overshoot: bilinear over what is there.
+  // Lobes with taps left out would overshoot: bilinear over what is there.
   bool whole = valid_count > float(count_px.x * count_px.y) - 0.5;
-  vec4 wx = whole ? cubicWeights(f.x, k.sharpness) : vec4(0.0, 1.0 - f.x, f.x, 0.0);
-  vec4 wy = whole ? cubicWeights(f.y, k.sharpness) : vec4(0.0, 1.0 - f.y, f.y, 0.0);
+  float sharpness = whole ? k.sharpness : 0.0;
+  float wx[kTaps] = tapWeights(f.x, sharpness);
+  float wy[kTaps] = tapWeights(f.y, sharpness);
 
   block.uncovered /= max(valid_count, 1.0);
   for (int j = 0; j < 4; ++j) {
     block.texel[j] = vec4(0.0);
     block.weight[j] = 0.0;
   }
-  int column[5];
-  int line[5];
-  for (int i = 0; i < 5; ++i) {
-    ivec2 of_px = ivec2(floor((base + float(i) - 0.5) * texel_px)) - first_px;
+  int column[kReach];
+  int line[kReach];
+  for (int i = 0; i < kReach; ++i) {
+    float inner = float(clamp(i, 1, kReach - 2));
+    ivec2 of_px = ivec2(floor((base + inner - 1.5) * texel_px)) - first_px;
     column[i] = of_px.x;
     line[i] = 3 * of_px.y;
   }
   // A row serves both texels beside each other, and both rows of texels.
-  for (int y = 0; y < 5; ++y) {
+  for (int y = 0; y < kReach; ++y) {
     vec4 row[2] = vec4[2](vec4(0.0), vec4(0.0));
     vec2 row_weight = vec2(0.0);
-    int texel_y = int(clamp(base.y + float(y) - 1.0, 0.0, last_texel.y));
-    for (int x = 0; x < 5; ++x) {
-      int texel_x = int(clamp(base.x + float(x) - 1.0, 0.0, last_texel.x));
+    int texel_y = int(clamp(base.y + float(y) - 2.0, 0.0, last_texel.y));
+    for (int x = 0; x < kReach; ++x) {
+      int texel_x = int(clamp(base.x + float(x) - 2.0, 0.0, last_texel.x));
       vec4 value = texelFetch(history_image, ivec2(texel_x, texel_y), 0);
       float v = valid[line[y] + column[x]];
-      if (x < 4) {
+      if (x < kTaps) {
         row[0] += wx[x] * v * value;
         row_weight.x += wx[x] * v;
       }
@@ -82,7 +99,7 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     }
     for (int j = 0; j < 4; ++j) {
       int tap_y = y - (j >> 1);
-      if (tap_y < 0 || tap_y > 3) continue;
+      if (tap_y < 0 || tap_y >= kTaps) continue;
       block.texel[j] += wy[tap_y] * row[j & 1];
       block.weight[j] += wy[tap_y] * row_weight[j & 1];
     }

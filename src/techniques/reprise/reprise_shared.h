@@ -36,7 +36,7 @@ struct RepriseConstants {
   float bound_still;     // at rest without evidence
   float forget_clipped;  // share of the count that a fully clipped texel loses
   float forget_changed;  // the same of a texel whose change is fully believed
-  float sharpness;       // c of the cubic
+  float sharpness;       // share of Lanczos, the rest is bilinear
   float depth_tolerance;
   float doubt_light;
   float doubt_now;

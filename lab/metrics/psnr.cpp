@@ -20,6 +20,11 @@ double psnrDb(double mean_squared_error) {
   return std::min(kMaxPsnr_db, -10.0 * std::log10(mean_squared_error));
 }
 
+double withoutNoise(double squared_error, double noise) {
+  constexpr double kLeastShare = 0.02;
+  return std::max(squared_error - noise, kLeastShare * squared_error);
+}
+
 double temporalSquaredError(const FloatImage& reference, const FloatImage& previous_reference,
                             const FloatImage& test, const FloatImage& previous_test) {
   double sum = 0.0;

@@ -23,7 +23,8 @@ OrderedJson surfaceJson(const Surface& surface) {
 }
 
 OrderedJson blockJson(const char* kind, const PlotText& text) {
-  return {{"kind", kind}, {"title", text.title}, {"x", text.x}, {"y", text.y}, {"z", text.z}};
+  return {{"kind", kind}, {"title", text.title}, {"x", text.x},         {"y", text.y},
+          {"z", text.z},  {"log_x", text.log_x}, {"log_y", text.log_y}, {"square", text.square}};
 }
 
 }  // namespace

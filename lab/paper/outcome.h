@@ -38,6 +38,9 @@ struct Surface {
 struct PlotText {
   std::string title, x, y;
   std::string z = {};
+  // Of line plots: logarithmic axes; where above 0, a square with both axes from 0 to it.
+  bool log_x = false, log_y = false;
+  double square = 0.0;
 };
 
 struct Picture {

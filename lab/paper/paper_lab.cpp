@@ -24,6 +24,8 @@ namespace reprise::lab {
 namespace {
 
 constexpr double kFrameRate = 60.0;
+// Each half of a reference has twice the variance of the whole, and their difference four times.
+constexpr double kNoiseOfHalves = 0.25;
 // Frames until a moving history holds what its bounds let it: four buffers are each written every
 // fourth frame, and the blur bound of amortized supersampling keeps about four writes.
 constexpr uint32_t kSettled = 16;
@@ -43,7 +45,7 @@ bool isStill(const std::string& run) {
 std::string nameOf(const PaperView& view) {
   std::string name = view.judged == Judged::kCentre ? "centre" : "pixel";
   if (view.defer_lights) name += ", lights deferred";
-  if (view.shade_covered) name += ", shaded where covered";
+  if (view.by_class) name += ", by class";
   if (view.reference_filter == ReferenceFilter::kBox) name += ", box";
   if (view.over_time) name += ", over time";
   if (view.texture_filter == TextureFilter::kTrilinear) name += ", trilinear";
@@ -79,6 +81,30 @@ OverTime overTimeFrom(const OrderedJson& json) {
   return o;
 }
 
+OrderedJson byClassJson(const ByClass& b) {
+  OrderedJson db = OrderedJson::array();
+  for (const double of : b.db) db.push_back(of);  // what was not measured is null
+  return {{"db", db}, {"share", b.share}};
+}
+
+ByClass byClassFrom(const OrderedJson& json) {
+  ByClass b;
+  for (size_t of = 0; of < kGeometryClasses; ++of) {
+    if (!json.at("db").at(of).is_null()) b.db[of] = json.at("db").at(of);
+    b.share[of] = json.at("share").at(of);
+  }
+  return b;
+}
+
+ByClass byClass(const ClassError& error) {
+  ByClass b;
+  for (size_t of = 0; of < kGeometryClasses; ++of) {
+    b.db[of] = error.db(static_cast<GeometryClass>(of));
+    b.share[of] = error.share(static_cast<GeometryClass>(of));
+  }
+  return b;
+}
+
 OverTime overTime(const SequenceFigures& figures) {
   OverTime o;
   if (figures.mean.has_value()) {
@@ -103,7 +129,8 @@ OrderedJson measuredJson(const std::string& key, const Measured& measured) {
           {"render_ms", measured.render_ms},
           {"shade_ms", measured.shade_ms},
           {"resolve_ms", measured.resolve_ms},
-          {"over_time", overTimeJson(measured.over_time)}};
+          {"over_time", overTimeJson(measured.over_time)},
+          {"by_class", byClassJson(measured.by_class)}};
 }
 
 ExrImage exrOf(const FloatImage& rgb) {
@@ -140,6 +167,7 @@ std::optional<Measured> readMeasured(const std::filesystem::path& stem, const st
     measured.shade_ms = json.at("shade_ms");
     measured.resolve_ms = json.at("resolve_ms");
     measured.over_time = overTimeFrom(json.at("over_time"));
+    measured.by_class = byClassFrom(json.at("by_class"));
     measured.last = rgbOf(readExr(stem.string() + ".exr"));
     return measured;
   } catch (const CaptureError&) {
@@ -190,7 +218,6 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
   options.switches.shading_only = view.judged == Judged::kCentre;
   options.switches.defer_lights = view.defer_lights;
   options.reference.samples = still ? scale.still_samples : scale.samples;
-  options.switches.shade_covered = view.shade_covered;
   options.switches.texture_filter = view.texture_filter;
   options.switches.samples = view.samples;
   options.reference.filter = view.reference_filter;
@@ -201,8 +228,10 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
   frames_ = options.frames;
   // From the last one back, so that the longest history is judged.
   const uint32_t step = view.over_time ? 1 : std::max(scale.judge_every, 1u);
+  // By class it is the frames that count that are judged, together: no reference of another one.
+  const uint32_t first = view.by_class && !view.over_time ? PaperLab::warmUp(frames_) : 0;
   for (uint32_t frame = (frames_ - 1) % step; frame < frames_; frame += step) {
-    judged_frames_.push_back(frame);
+    if (frame >= first || frame + 1 == frames_) judged_frames_.push_back(frame);
   }
   AgeTracker ages;
   truth_.frame_rate = kFrameRate;
@@ -210,9 +239,13 @@ PaperScene::PaperScene(std::unique_ptr<Device> device, const std::string& run,
                     quiet);
   for (const uint32_t frame : judged_frames_) {
     addReference(frame);
-    if (view.over_time) {
-      truth_.frames.push_back(frameTruth(linear_references_[reference_of_frame_.at(frame)],
-                                         source_->geometry(frame), ages));
+    if (view.over_time || view.by_class) {
+      const FrameGeometry geometry = source_->geometry(frame);
+      if (view.by_class) classes_[frame] = geometryClasses(geometry.view_depth);
+      if (view.over_time) {
+        truth_.frames.push_back(
+            frameTruth(linear_references_[reference_of_frame_.at(frame)], geometry, ages));
+      }
     }
     progress.step();
   }
@@ -229,18 +262,24 @@ void PaperScene::addReference(uint32_t frame) {
   if (fresh) {
     linear_references_.push_back(*source_->reference(frame));
     references_.push_back(displayImage(linear_references_.back()));
-    // Each half has twice the variance of the whole, and their difference four times.
-    noise_.push_back(0.25 * std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
+    noise_.push_back(kNoiseOfHalves *
+                     std::pow(10.0, -0.1 * source_->references().halfAgainstHalfDb()));
+    pixel_noise_.push_back(source_->references().halfDifference());
   }
   reference_of_frame_[frame] = known->second;
 }
 
 double PaperScene::psnr(uint32_t frame, const FloatImage& linear) const {
-  // An estimate may not fall below nothing.
-  constexpr double kLeastShare = 0.02;
   const double error = meanSquaredError(reference(frame), displayImage(linear));
-  const double noise = noise_[reference_of_frame_.at(frame)];
-  return psnrDb(std::max(error - noise, kLeastShare * error));
+  return psnrDb(withoutNoise(error, noise_[reference_of_frame_.at(frame)]));
+}
+
+void PaperScene::addByClass(uint32_t frame, const FloatImage& linear, ClassError& error) const {
+  const std::vector<GeometryClass>& classes = classes_.at(frame);
+  std::array<double, kGeometryClasses> noise =
+      meanByClass(classes, pixel_noise_[reference_of_frame_.at(frame)]);
+  for (double& of : noise) of *= kNoiseOfHalves;
+  error.add(classes, reference(frame), displayImage(linear), noise);
 }
 
 PaperLab::PaperLab(PaperLabOptions options) : options_(std::move(options)) {}
@@ -295,62 +334,128 @@ PaperScene& PaperLab::scene(const std::string& run, const PaperView& view) {
 SequenceRun PaperLab::filter(const std::string& run, const std::string& technique,
                              const std::function<void(const FrameDone&)>& done,
                              const PaperView& view) {
+  return std::move(filterTogether(
+                       run, {technique}, [&](size_t, const FrameDone& frame) { done(frame); }, view)
+                       .front());
+}
+
+std::vector<SequenceRun> PaperLab::filterTogether(
+    const std::string& run, const std::vector<std::string>& techniques,
+    const std::function<void(size_t, const FrameDone&)>& done, const PaperView& view) {
   PaperScene& open = scene(run, view);
-  Resolver resolver(open.device(), parseTechnique(technique), open.source().info());
-  std::vector<uint32_t> frames = open.judgedFrames();
-  if (keepsHistory(resolver.choice())) {
-    frames.resize(open.frames());
-    std::iota(frames.begin(), frames.end(), 0u);
-  } else if (isStill(run)) {
-    frames = {frames.back()};  // the same in every frame
+  std::vector<uint32_t> all(open.frames());
+  std::iota(all.begin(), all.end(), 0u);
+  std::vector<uint32_t> judged = open.judgedFrames();
+  if (isStill(run)) judged = {judged.back()};  // the same in every frame
+  std::vector<SequenceRun> runs(techniques.size());
+  // Without history the judged frames are enough.
+  for (const bool history : {true, false}) {
+    std::vector<size_t> numbers;
+    std::vector<std::unique_ptr<Resolver>> resolvers;
+    for (size_t i = 0; i < techniques.size(); ++i) {
+      const TechniqueChoice choice = parseTechnique(techniques[i]);
+      if (keepsHistory(choice) != history) continue;
+      numbers.push_back(i);
+      resolvers.push_back(std::make_unique<Resolver>(open.device(), choice, open.source().info()));
+    }
+    if (numbers.empty()) continue;
+    const std::vector<uint32_t>& frames = history ? all : judged;
+    const std::string first = techniques[numbers.front()];
+    Progress progress(numbers.size() == 1
+                          ? fmt::format("{} by {}", run, first)
+                          : fmt::format("{} by {} and {} more", run, first, numbers.size() - 1),
+                      numbers.size() * frames.size(), options_.quiet);
+    std::vector<SequenceRun> shared = runShared(open.device(), open.source(), resolvers, frames,
+                                                [&](size_t i, const FrameDone& frame) {
+                                                  done(numbers[i], frame);
+                                                  progress.step();
+                                                });
+    for (size_t i = 0; i < numbers.size(); ++i) runs[numbers[i]] = std::move(shared[i]);
   }
-  Progress progress(fmt::format("{} by {}", run, technique), frames.size(), options_.quiet);
-  return runFrames(open.device(), open.source(), resolver, frames, false,
-                   [&](const FrameDone& frame) {
-                     done(frame);
-                     progress.step();
-                   });
+  return runs;
+}
+
+std::filesystem::path PaperLab::stemOf(const std::string& key) const {
+  return options_.directory / "runs" / fmt::format("{:016x}", hashBytes(key.data(), key.size()));
+}
+
+bool PaperLab::isMeasured(const std::string& key) {
+  if (measured_.contains(key)) return true;
+  if (!options_.resume) return false;
+  std::optional<Measured> kept = readMeasured(stemOf(key), key);
+  if (!kept.has_value()) return false;
+  measured_[key] = std::move(*kept);
+  return true;
 }
 
 const Measured& PaperLab::measure(const std::string& run, const std::string& technique,
                                   const PaperView& view) {
-  const std::string wanted = key(run, technique, view);
-  if (const auto known = measured_.find(wanted); known != measured_.end()) return known->second;
-  const std::filesystem::path runs = options_.directory / "runs";
-  const std::filesystem::path stem =
-      runs / fmt::format("{:016x}", hashBytes(wanted.data(), wanted.size()));
-  if (options_.resume) {
-    if (std::optional<Measured> kept = readMeasured(stem, wanted)) {
-      return measured_[wanted] = std::move(*kept);
-    }
+  measureTogether(run, {technique}, view);
+  return measured_.at(key(run, technique, view));
+}
+
+void PaperLab::measureTogether(const std::string& run, const std::vector<std::string>& techniques,
+                               const PaperView& view) {
+  std::vector<std::string> missing;
+  for (const std::string& technique : techniques) {
+    const bool twice = std::find(missing.begin(), missing.end(), technique) != missing.end();
+    if (!twice && !isMeasured(key(run, technique, view))) missing.push_back(technique);
   }
+  // What only a sequence shows is measured on all its images, which must be held until then.
+  constexpr uint64_t kMostHeld_bytes = uint64_t{1} << 30;
+  size_t batch = std::max<size_t>(missing.size(), 1);
+  if (view.over_time) {
+    const PaperScale s = scaleOf(view);
+    const uint64_t held = uint64_t{16} * s.extent.width * s.extent.height *
+                          (isStill(run) ? s.still_frames : s.frames);
+    batch = std::clamp<size_t>(kMostHeld_bytes / std::max<uint64_t>(held, 1), 1, batch);
+  }
+  const std::span<const std::string> left(missing);
+  for (size_t first = 0; first < missing.size(); first += batch) {
+    measureBatch(run, left.subspan(first, std::min(batch, missing.size() - first)), view);
+  }
+}
+
+void PaperLab::measureBatch(const std::string& run, std::span<const std::string> techniques,
+                            const PaperView& view) {
   PaperScene& open = scene(run, view);
-  Measured measured;
-  FloatImage last;
-  std::vector<FloatImage> images;
-  const SequenceRun sequence = filter(
-      run, technique,
-      [&](const FrameDone& done) {
+  std::vector<Measured> all(techniques.size());
+  std::vector<FloatImage> last(techniques.size());
+  std::vector<std::vector<FloatImage>> images(techniques.size());
+  std::vector<ClassError> by_class(techniques.size());
+  const uint32_t first = warmUp(open.frames());
+  const std::vector<SequenceRun> runs = filterTogether(
+      run, {techniques.begin(), techniques.end()},
+      [&](size_t i, const FrameDone& done) {
         if (!open.isJudged(done.index)) return;
-        measured.frames.push_back(done.index);
-        measured.psnr_db.push_back(open.psnr(done.index, done.image));
-        last = done.image;
-        if (view.over_time) images.push_back(done.image);
+        all[i].frames.push_back(done.index);
+        all[i].psnr_db.push_back(open.psnr(done.index, done.image));
+        last[i] = done.image;
+        if (view.by_class && done.index >= first) {
+          open.addByClass(done.index, done.image, by_class[i]);
+        }
+        if (view.over_time) images[i].push_back(done.image);
       },
       view);
-  measured.evaluations_per_pixel = sequence.evaluations_per_pixel;
-  // Times settle at once: the first frame builds caches, no more.
-  static_cast<FrameTimes&>(measured) = timesOf(sequence, 1);
-  measured.last = displayImage(last);
-  if (view.over_time) {
-    MeterOptions options;
-    options.metrics = MetricSet::parse("tpsnr,flicker,disocclusion,sharpness");
-    measured.over_time = overTime(measureSequence(open.truth(), images, options));
+  makeOutputDirectory(options_.directory / "runs");
+  for (size_t i = 0; i < techniques.size(); ++i) {
+    Measured& measured = all[i];
+    measured.evaluations_per_pixel = runs[i].evaluations_per_pixel;
+    // Times settle at once: the first frame builds caches, no more.
+    static_cast<FrameTimes&>(measured) = timesOf(runs[i], 1);
+    measured.last = displayImage(last[i]);
+    if (view.by_class) measured.by_class = byClass(by_class[i]);
+    if (view.over_time) {
+      MeterOptions options;
+      options.metrics = MetricSet::parse("tpsnr,flicker,disocclusion,sharpness");
+      measured.over_time = overTime(measureSequence(open.truth(), images[i], options));
+    }
+    const std::string own = key(run, techniques[i], view);
+    const std::filesystem::path stem = stemOf(own);
+    writeExr(stem.string() + ".exr", exrOf(measured.last));
+    writeOutputFile(stem.string() + ".json", measuredJson(own, measured).dump(1) + "\n");
+    measured_[own] = std::move(measured);
   }
-  makeOutputDirectory(runs);
-  writeExr(stem.string() + ".exr", exrOf(measured.last));
-  writeOutputFile(stem.string() + ".json", measuredJson(wanted, measured).dump(1) + "\n");
-  return measured_[wanted] = std::move(measured);
 }
 
 std::vector<FrameTimes> PaperLab::timesTogether(const std::string& run,

@@ -6,15 +6,18 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
 #include <filesystem>
 #include <functional>
 #include <map>
 #include <memory>
+#include <span>
 #include <string>
 #include <vector>
 
 #include "lab/float_image.h"
 #include "lab/metrics/sequence_meter.h"
+#include "lab/paper/geometry_classes.h"
 #include "lab/render/scene_source.h"
 #include "lab/run/sequence_run.h"
 #include "lab/vk/device.h"
@@ -45,9 +48,10 @@ struct PaperView {
   uint32_t samples = 1;  // a pixel: RenderSwitches::samples
   // Of a figure that was published at another size than the paper's: what a full run takes.
   VkExtent2D published_extent{};
-  bool shade_covered = false;  // RenderSwitches::shade_covered
   // RenderSwitches::defer_lights: the deferred layer of light is kept from the technique.
   bool defer_lights = false;
+  // What is measured is measured by class of geometry too: Measured::by_class.
+  bool by_class = false;
 };
 
 struct OverTime {
@@ -56,6 +60,15 @@ struct OverTime {
   double disoccluded_db = kNoFigure;
   double sharpness = kNoFigure;
   std::vector<double> ages, age_psnr_db;  // AgeFigures
+};
+
+// PSNR of the frames that count, apart by class of geometry; indices as GeometryClass has them.
+struct ByClass {
+  std::array<double, kGeometryClasses> db{kNoFigure, kNoFigure, kNoFigure};
+  std::array<double, kGeometryClasses> share{};  // of the pixels
+
+  double dbOf(GeometryClass of) const { return db[static_cast<size_t>(of)]; }
+  double shareOf(GeometryClass of) const { return share[static_cast<size_t>(of)]; }
 };
 
 // GPU times of a frame, medians.
@@ -77,6 +90,7 @@ struct Measured : FrameTimes {
   double evaluations_per_pixel = 0.0;
   FloatImage last;     // display values of the last frame
   OverTime over_time;  // with PaperView::over_time
+  ByClass by_class;    // with PaperView::by_class
 
   // Mean over the frames from `first` on; of the last where there is none.
   double meanPsnr(uint32_t first) const;
@@ -108,6 +122,8 @@ class PaperScene {
   // off: independent of the image, it adds its variance, known from the reference's two halves, to
   // the mean squared error.
   double psnr(uint32_t frame, const FloatImage& linear) const;
+  // Adds the same by class, with PaperView::by_class, of a judged frame.
+  void addByClass(uint32_t frame, const FloatImage& linear, ClassError& error) const;
 
  private:
   std::unique_ptr<Device> device_;
@@ -115,7 +131,9 @@ class PaperScene {
   SequenceTruth truth_;
   std::vector<FloatImage> linear_references_;
   std::vector<FloatImage> references_;
-  std::vector<double> noise_;                // mean squared error of each reference
+  std::vector<double> noise_;  // mean squared error of each reference
+  std::vector<std::vector<float>> pixel_noise_;
+  std::map<uint32_t, std::vector<GeometryClass>> classes_;
   std::map<uint64_t, size_t> reference_of_;  // by a hash of what the frame shows
   std::map<uint32_t, size_t> reference_of_frame_;
   std::vector<uint32_t> judged_frames_;
@@ -148,6 +166,9 @@ class PaperLab {
   // `technique` over the scene "brick/pan". A camera named "still" runs still_frames.
   const Measured& measure(const std::string& run, const std::string& technique,
                           const PaperView& view = {});
+  // The same of several, for measure() to find: techniques that sample alike share the rendering.
+  void measureTogether(const std::string& run, const std::vector<std::string>& techniques,
+                       const PaperView& view = {});
   // Of each technique, over the first frames of the scene, in turn frame by frame.
   std::vector<FrameTimes> timesTogether(const std::string& run,
                                         const std::vector<std::string>& techniques,
@@ -158,12 +179,23 @@ class PaperLab {
   // judged ones.
   SequenceRun filter(const std::string& run, const std::string& technique,
                      const std::function<void(const FrameDone&)>& done, const PaperView& view = {});
+  // The same of several, those that sample alike together; `done` is called with the technique's
+  // number.
+  std::vector<SequenceRun> filterTogether(const std::string& run,
+                                          const std::vector<std::string>& techniques,
+                                          const std::function<void(size_t, const FrameDone&)>& done,
+                                          const PaperView& view = {});
   // Frames at the start of a run of `frames` that do not count.
   static uint32_t warmUp(uint32_t frames);
 
  private:
   std::string key(const std::string& run, const std::string& technique,
                   const PaperView& view) const;
+  std::filesystem::path stemOf(const std::string& key) const;
+  // What was measured before, by this process or, with resumption, an earlier one.
+  bool isMeasured(const std::string& key);
+  void measureBatch(const std::string& run, std::span<const std::string> techniques,
+                    const PaperView& view);
   void close();
 
   PaperLabOptions options_;

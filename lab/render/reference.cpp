@@ -5,6 +5,7 @@
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
+#include <numeric>
 #include <stdexcept>
 #include <vector>
 
@@ -54,14 +55,24 @@ double referenceInstant(uint32_t index, uint32_t half, double shutter) {
   return (at - std::floor(at) - 0.5) * shutter;
 }
 
-double displayPsnr(const FloatImage& a, float a_scale, const FloatImage& b, float b_scale) {
-  double sum = 0.0;
-  for (size_t i = 0; i < a.texels.size(); ++i) {
-    const double d =
-        eq::displayFromLinear(a.texels[i] * a_scale) - eq::displayFromLinear(b.texels[i] * b_scale);
-    sum += d * d;
+// A pixel each: squared difference in display values, mean over channels.
+std::vector<float> displayDifference(const FloatImage& a, const FloatImage& b, float scale) {
+  std::vector<float> difference(a.texelCount());
+  for (size_t i = 0; i < difference.size(); ++i) {
+    float sum = 0.0f;
+    for (size_t c = 0; c < 3; ++c) {
+      const float d = eq::displayFromLinear(a.texels[3 * i + c] * scale) -
+                      eq::displayFromLinear(b.texels[3 * i + c] * scale);
+      sum += d * d;
+    }
+    difference[i] = sum / 3.0f;
   }
-  const double mse = sum / static_cast<double>(a.texels.size());
+  return difference;
+}
+
+double psnrOf(const std::vector<float>& squared_errors) {
+  const double sum = std::accumulate(squared_errors.begin(), squared_errors.end(), 0.0);
+  const double mse = sum / static_cast<double>(squared_errors.size());
   return mse > 0.0 ? -10.0 * std::log10(mse) : 200.0;
 }
 
@@ -155,7 +166,8 @@ FloatImage ReferenceStore::reference(uint32_t index) {
   if (cached && extended && !keep_larger) writeReferenceFile(path, sums);
 
   const float half_scale = 1.0f / static_cast<float>(wanted);
-  half_against_half_db_ = displayPsnr(sums.halves[0], half_scale, sums.halves[1], half_scale);
+  half_difference_ = displayDifference(sums.halves[0], sums.halves[1], half_scale);
+  half_against_half_db_ = psnrOf(half_difference_);
   FloatImage reference(extent.width, extent.height, 3);
   for (size_t i = 0; i < reference.texels.size(); ++i) {
     reference.texels[i] =

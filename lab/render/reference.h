@@ -8,6 +8,7 @@
 #include <functional>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "lab/float_image.h"
 #include "lab/render/renderer.h"
@@ -45,6 +46,8 @@ class ReferenceStore {
   // reference: the noise floor is 6 dB above it (each half has twice the variance of the whole,
   // their difference four times).
   double halfAgainstHalfDb() const { return half_against_half_db_; }
+  // Of the same, a pixel each: the squared difference of the halves, mean over channels.
+  const std::vector<float>& halfDifference() const { return half_difference_; }
   uint64_t samplesRendered() const { return samples_rendered_; }
   uint32_t samples() const { return options_.samples; }
   ReferenceFilter filter() const { return options_.filter; }
@@ -59,6 +62,7 @@ class ReferenceStore {
   Renderer& renderer_;
   ReferenceOptions options_;
   double half_against_half_db_ = 0.0;
+  std::vector<float> half_difference_;
   uint64_t samples_rendered_ = 0;
   std::function<void(const std::string&)> warn_;
 };

@@ -37,9 +37,6 @@ struct RenderSwitches {
   bool shading_only = false;
   std::optional<uint32_t> lamps;  // scattered over the scene, instead of its own number
   bool cull_lamps = true;         // false: every pixel loops over all of them
-  // Coarse pixels that a triangle covers in part are shaded amid the pixels it covers and not, as
-  // hardware does, at their own centre.
-  bool shade_covered = false;
   // Cameras see, and move by the pixels of, an image of this extent; {0, 0}: the one rendered. For
   // frames that will be upsampled.
   VkExtent2D view_extent{};

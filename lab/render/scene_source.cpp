@@ -188,7 +188,6 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
 void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
                                        const ShadeConstants& constants) {
   const bool coarse = sampling.coarse_size > 1;
-  const bool shade_covered = options_.switches.shade_covered || sampling.coarse_covered != 0;
   renderer_.recordCoarse(
       commands, {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
                  .size = coarse ? sampling.coarse_size : 1,
@@ -196,7 +195,7 @@ void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSa
                  .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
                  .checkerboard = sampling.checkerboard,
                  .light_layers = constants.light_layers,
-                 .shade_covered = shade_covered ? 1u : 0u});
+                 .shade_covered = sampling.coarse_covered});
 }
 
 std::optional<FloatImage> SceneSource::reference(uint32_t index) {

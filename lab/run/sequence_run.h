@@ -37,6 +37,14 @@ SequenceRun runFrames(Device& device, FrameSource& source, Resolver& resolver,
                       std::span<const uint32_t> frames, bool keep_images,
                       const std::function<void(const FrameDone&)>& done);
 
+// These frames by several techniques. Those whose plans for a frame agree share one rendering of
+// it, whose times and evaluations are each one's: resolving costs little beside it. `done` is
+// called with the resolver's number. Images are not kept.
+std::vector<SequenceRun> runShared(Device& device, FrameSource& source,
+                                   std::span<const std::unique_ptr<Resolver>> resolvers,
+                                   std::span<const uint32_t> frames,
+                                   const std::function<void(size_t, const FrameDone&)>& done);
+
 // Frames [0, frames) by each resolver in turn, frame by frame, so that what disturbs a busy machine
 // for seconds disturbs all alike: ratios of times are taken from this. Images are not kept.
 std::vector<SequenceRun> runTogether(Device& device, FrameSource& source,

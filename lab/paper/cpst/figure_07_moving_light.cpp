@@ -36,26 +36,32 @@ void movingLight(PaperLab& lab, const std::string& name, const std::string& run,
     changed[t] =
         changedShading(scene.reference(t), scene.reference(t - 1), truth.motion_px, unseen(truth));
   }
-  std::map<std::string, MaskedError> errors;
+  const std::vector<Contender> contenders = {
+      {"PS", kPs},
+      {"CBR", kCbr},
+      {"CPS-T", kCpst},
+      {"CPS-T as published", "cpst:preset=paper"},
+      {"CPS-T, samples mixed everywhere", "cpst:reconstruct=always"},
+      {"CPS-T, LoD 0", "cpst:variance=fine"}};
+  std::vector<std::string> techniques;
   std::vector<std::pair<std::string, FloatImage>> pictures;
+  for (const Contender& contender : contenders) {
+    techniques.push_back(contender.technique);
+    pictures.emplace_back(contender.name, FloatImage{});
+  }
+  std::map<std::string, MaskedError> errors;
+  lab.filterTogether(
+      run, techniques,
+      [&](size_t i, const FrameDone& done) {
+        if (done.index < first) return;
+        FloatImage display = displayImage(done.image);
+        errors[contenders[i].name].add(changed[done.index], scene.reference(done.index), display);
+        if (done.index + 1 == scene.frames()) pictures[i].second = std::move(display);
+      },
+      seen);
   std::vector<std::vector<std::string>> lines;
-  for (const Contender& contender :
-       std::vector<Contender>{{"PS", kPs},
-                              {"CBR", kCbr},
-                              {"CPS-T", kCpst},
-                              {"CPS-T as published", "cpst:preset=paper"},
-                              {"CPS-T, samples mixed everywhere", "cpst:reconstruct=always"},
-                              {"CPS-T, LoD 0", "cpst:variance=fine"}}) {
-    MaskedError& error = errors[contender.name];
-    lab.filter(
-        run, contender.technique,
-        [&](const FrameDone& done) {
-          if (done.index < first) return;
-          const FloatImage display = displayImage(done.image);
-          error.add(changed[done.index], scene.reference(done.index), display);
-          if (done.index + 1 == scene.frames()) pictures.emplace_back(contender.name, display);
-        },
-        seen);
+  for (const Contender& contender : contenders) {
+    const MaskedError& error = errors[contender.name];
     lines.push_back({contender.name, fmt::format("{:.2f}", error.insideDb()),
                      fmt::format("{:.2f}", error.outsideDb())});
     outcome.report(fmt::format("{}, where shading changed, {}", name, contender.name), std::nullopt,

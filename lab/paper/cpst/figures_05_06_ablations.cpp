@@ -20,6 +20,13 @@ struct Variant {
   std::string technique;
 };
 
+void measureAll(PaperLab& lab, const std::string& run, const std::vector<Variant>& variants,
+                const PaperView& seen) {
+  std::vector<std::string> techniques;
+  for (const Variant& variant : variants) techniques.push_back(variant.technique);
+  lab.measureTogether(run, techniques, seen);
+}
+
 double psnrOf(PaperLab& lab, const std::string& run, const Variant& variant,
               const PaperView& seen) {
   return lab.measure(run, variant.technique, seen).meanPsnr(PaperLab::warmUp(lab.scale().frames));
@@ -59,6 +66,7 @@ void figure5(PaperLab& lab, Outcome& outcome) {
                                            {"no silhouettes", base + "silhouette=2"},
                                            {"no bound", base + "variance=none"},
                                            {"LoD 2", base + "variance=coarse"}};
+    measureAll(lab, run, variants, seen);
     std::vector<std::vector<std::string>> lines;
     std::map<std::string, OverTime> figures;
     for (const Variant& variant : variants) {
@@ -91,6 +99,7 @@ void figure6(PaperLab& lab, Outcome& outcome) {
       {"Halton, no filter", "cpst:jitter=halton,shading_filter=false"}};
   for (const std::string& run : {sponza().run, std::string("brick/still")}) {
     const std::string name = run == sponza().run ? sponza().name : "brick still";
+    measureAll(lab, run, variants, view());
     std::vector<std::vector<std::string>> lines;
     std::map<std::string, double> psnr_db;
     for (const Variant& variant : variants) {

@@ -138,8 +138,10 @@ void pointSets(PaperLab& lab, Outcome& outcome) {
     for (const Sequence& sequence : sequences) {
       const Set& set = shading ? sequence.shading : sequence.visibility;
       outcome.linePlot(
-          {fmt::format("{}: {} samples of {} frames", sequence.name, what, set.x.size()), "x, px",
-           "y, px"},
+          {.title = fmt::format("{}: {} samples of {} frames", sequence.name, what, set.x.size()),
+           .x = "x, px",
+           .y = "y, px",
+           .square = set.period_px},
           {{sequence.name, set.x, set.y, true}});
       spectra.push_back(spectrum(sequence.name, set));
       outcome.report(
@@ -148,8 +150,10 @@ void pointSets(PaperLab& lab, Outcome& outcome) {
       outcome.report(fmt::format("{}, {}: closest pair", sequence.name, what), std::nullopt,
                      closest(set), "of a lattice");
     }
-    outcome.linePlot({"Power of " + what + " samples, mean over rings",
-                      "wave, of a lattice's of as many points", "power, of random points"},
+    outcome.linePlot({.title = "Power of " + what + " samples, mean over rings",
+                      .x = "wave, of a lattice's of as many points",
+                      .y = "power, of random points",
+                      .log_y = true},
                      spectra);
   }
   // Figure 2: each Halton sequence spoils one of the two sets.

@@ -160,6 +160,7 @@ PaperView view() {
   PaperView view;
   view.judged = Judged::kPixel;
   view.reference_filter = ReferenceFilter::kBox;
+  view.by_class = true;
   return view;
 }
 

@@ -107,8 +107,11 @@ void table2(PaperLab& lab, Outcome& outcome) {
     here.push_back({timed()[i].name, lamps, measured[i], false});
     there.push_back({timed()[i].name, lamps, published[i], false});
   }
-  outcome.linePlot({"Measured", "lights", "frame, ms"}, here);
-  outcome.linePlot({"Published", "lights", "frame, ms"}, there);
+  const auto text = [](const char* title) {
+    return PlotText{.title = title, .x = "lights", .y = "frame, ms", .log_x = true, .log_y = true};
+  };
+  outcome.linePlot(text("Measured"), here);
+  outcome.linePlot(text("Published"), there);
   outcome.heatMaps({"Lights of each tile", "tile", "tile", "lights"}, maps);
   outcome.note(fmt::format(
       "Published: Sponza at 1920 x 1080 on a GTX 1080, up to 32 lights and more a tile; here {} x "

@@ -15,13 +15,14 @@ function rowsTable(parent, rows, withItem) {
   const table = element(parent, "table");
   const head = element(element(table, "thead"), "tr");
   for (const name of [...(withItem ? ["item"] : []), "row", "published", "measured", "unit", "claim", ""]) {
-    element(head, "th", name);
+    const isText = name === "row" || name === "unit" || name === "claim";
+    element(head, "th", name, isText ? "text" : "");
   }
   const body = element(table, "tbody");
   for (const row of rows) {
     const line = element(body, "tr");
     if (withItem) element(line, "td", row.item);
-    element(line, "td", row.row, withItem ? "text" : "");
+    element(line, "td", row.row, "text");
     element(line, "td", shown(row.published));
     element(line, "td", shown(row.measured));
     element(line, "td", row.unit, "text");

@@ -22,18 +22,28 @@ const plots = (() => {
   }
 
   function lines(parent, block) {
-    const [width, height] = [760, 300];
+    const [width, height] = block.square ? [340, 316] : [760, 300];
     const margin = { left: 58, right: 12, top: 8, bottom: 38 };
     const all = (key) => [].concat(...block.series.map((s) => s[key]))
       .filter((v) => Number.isFinite(v) && v < 199);
     const svg = svgIn(parent, width, height);
-    const x = d3.scale.linear().domain(d3.extent(all("x"))).range([margin.left, width - margin.right]);
-    const y = d3.scale.linear().domain(d3.extent(all("y"))).nice()
-      .range([height - margin.bottom, margin.top]).clamp(true);
+    const scaleOf = (key, log) => log
+      ? d3.scale.log().domain(d3.extent(all(key).filter((v) => v > 0)))
+      : d3.scale.linear().domain(block.square ? [0, block.square] : d3.extent(all(key)));
+    const x = scaleOf("x", block.log_x).range([margin.left, width - margin.right]);
+    const y = scaleOf("y", block.log_y).nice().range([height - margin.bottom, margin.top])
+      .clamp(true);
+    // Powers are marked where they were measured when those are few; else about where d3 would.
+    const ticks = (axis, key, log, count) => {
+      const values = d3.set(all(key)).values().map(Number);
+      if (!log) return axis.ticks(count);
+      return values.length <= 8 ? axis.tickValues(values).tickFormat(d3.format("g"))
+        : axis.ticks(count, ".2g");
+    };
     svg.append("g").attr("class", "axis").attr("transform", `translate(0,${height - margin.bottom})`)
-      .call(d3.svg.axis().scale(x).orient("bottom").ticks(8));
+      .call(ticks(d3.svg.axis().scale(x).orient("bottom"), "x", block.log_x, 8));
     svg.append("g").attr("class", "axis").attr("transform", `translate(${margin.left},0)`)
-      .call(d3.svg.axis().scale(y).orient("left").ticks(6));
+      .call(ticks(d3.svg.axis().scale(y).orient("left"), "y", block.log_y, 6));
     svg.append("text").attr("class", "note").attr("text-anchor", "end")
       .attr("x", width - margin.right).attr("y", height - 4).text(block.x);
     svg.append("text").attr("class", "note").attr("transform", "rotate(-90)")
@@ -112,10 +122,12 @@ const plots = (() => {
     const high = d3.max(block.maps, (m) => d3.max(m.z));
     const row = d3.select(parent).append("div").attr("class", "panels");
     for (const map of block.maps) {
+      // Pixels or tiles both ways keep their shape.
       const side = 260;
+      const down = block.x === block.y ? side * map.y.length / map.x.length : side;
       const figure = row.append("figure").style("margin", 0);
       const canvas = figure.append("canvas").attr("width", map.x.length).attr("height", map.y.length)
-        .attr("class", "heat").style("width", side + "px").style("height", side + "px")
+        .attr("class", "heat").style("width", side + "px").style("height", down + "px")
         .style("image-rendering", "pixelated").node();
       const context = canvas.getContext("2d");
       map.z.forEach((z, i) => {

@@ -91,6 +91,31 @@ TEST_P(Upsampling, AStillViewGainsWhatOneFrameLacks) {
   }
 }
 
+// The closest sample in its place: a pixel of the output is off by half a pixel of the input.
+TEST_P(Upsampling, TheFirstFrameIsInterpolated) {
+  const VkExtent2D input{33, 21};
+  const VkExtent2D output{66, 42};
+  FormulaSource source(testDevice(), input, pictureAt(input));
+  Resolver r = resolver(source, output);
+  const FloatImage image = resolveFrames(r, source, 1);
+  double closest = 0.0;
+  double rough = 0.0;
+  for (uint32_t y = 0; y < output.height; ++y) {
+    for (uint32_t x = 1; x < output.width; ++x) {
+      const double step = image.at(x, y)[0] - image.at(x - 1, y)[0];
+      const Rgb here = picture((static_cast<float>(x) + 0.5f) / 66.0f,
+                               (static_cast<float>(y) + 0.5f) / 42.0f);
+      const Rgb left = picture((static_cast<float>(x) - 0.5f) / 66.0f,
+                               (static_cast<float>(y) + 0.5f) / 42.0f);
+      const double truth = here[0] - left[0];
+      rough += (step - truth) * (step - truth);
+      // Every other step is 0, the others are twice as large.
+      closest += truth * truth;
+    }
+  }
+  EXPECT_LT(rough, 0.6 * closest);
+}
+
 TEST_P(Upsampling, TheInputMayChangeItsExtentWhileRunning) {
   const VkExtent2D output{66, 42};
   const VkExtent2D inputs[] = {{66, 42}, {33, 21}, {47, 29}, {22, 14}, {51, 42}, {1, 1}, {64, 41}};

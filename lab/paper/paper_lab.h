@@ -166,7 +166,8 @@ class PaperLab {
   // `technique` over the scene "brick/pan". A camera named "still" runs still_frames.
   const Measured& measure(const std::string& run, const std::string& technique,
                           const PaperView& view = {});
-  // The same of several, for measure() to find: techniques that sample alike share the rendering.
+  // The same of several, for measure() to find: techniques that sample alike share the rendering,
+  // and their resolves take turns frame by frame. What measure() had before stays.
   void measureTogether(const std::string& run, const std::vector<std::string>& techniques,
                        const PaperView& view = {});
   // Of each technique, over the first frames of the scene, in turn frame by frame.

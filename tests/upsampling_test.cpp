@@ -103,10 +103,10 @@ TEST_P(Upsampling, TheFirstFrameIsInterpolated) {
   for (uint32_t y = 0; y < output.height; ++y) {
     for (uint32_t x = 1; x < output.width; ++x) {
       const double step = image.at(x, y)[0] - image.at(x - 1, y)[0];
-      const Rgb here = picture((static_cast<float>(x) + 0.5f) / 66.0f,
-                               (static_cast<float>(y) + 0.5f) / 42.0f);
-      const Rgb left = picture((static_cast<float>(x) - 0.5f) / 66.0f,
-                               (static_cast<float>(y) + 0.5f) / 42.0f);
+      const Rgb here =
+          picture((static_cast<float>(x) + 0.5f) / 66.0f, (static_cast<float>(y) + 0.5f) / 42.0f);
+      const Rgb left =
+          picture((static_cast<float>(x) - 0.5f) / 66.0f, (static_cast<float>(y) + 0.5f) / 42.0f);
       const double truth = here[0] - left[0];
       rough += (step - truth) * (step - truth);
       // Every other step is 0, the others are twice as large.

@@ -12,14 +12,14 @@ namespace reprise::lab::cpst {
 namespace {
 
 // Frames along the path, evenly; frame rate that spreads them over it.
-constexpr uint32_t kFrames = 8;
+constexpr uint32_t kFrames = 6;
 constexpr double kPathLength_s = 12.0;
 
 }  // namespace
 
 void figure9(PaperLab& lab, Outcome& outcome) {
   const VkExtent2D extent = timedExtent(lab);
-  const uint32_t frames = lab.scale().whole ? 15 * kFrames : std::min(kFrames, lab.scale().frames);
+  const uint32_t frames = lab.scale().whole ? 20 * kFrames : std::min(kFrames, lab.scale().frames);
   for (const Subject& subject : subjects()) {
     if (!subject.note.empty()) outcome.note(subject.note);
     BareScene scene(lab, subject.run, extent, frames, 0, frames / kPathLength_s);

@@ -177,19 +177,19 @@ std::optional<Measured> readMeasured(const std::filesystem::path& stem, const st
   }
 }
 
+}  // namespace
+
 FrameTimes timesOf(const SequenceRun& run, size_t first_timed) {
   FrameTimes times;
   times.render_ms = sumOfMedians(run.render_times, first_timed);
   times.resolve_ms = sumOfMedians(run.resolve_times, first_timed);
   for (const auto& [name, ms] : run.render_times.medians(first_timed)) {
     const bool geometry = name == "transform" || name == "visibility" || name == "motion" ||
-                          name == "shadows" || name == "motion back";
+                          name == "shadows" || name == "motion back" || name == "light tiles";
     if (!geometry) times.shade_ms += ms;
   }
   return times;
 }
-
-}  // namespace
 
 bool sceneIsHere(const std::string& scene) {
   return std::any_of(sceneList().begin(), sceneList().end(),

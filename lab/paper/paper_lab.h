@@ -74,13 +74,16 @@ struct ByClass {
 // GPU times of a frame, medians.
 struct FrameTimes {
   double render_ms = 0.0;
-  double shade_ms = 0.0;  // of it, shading without geometry
+  double shade_ms = 0.0;  // of it, shading without geometry and lists of lights
   double resolve_ms = 0.0;
 
   double frameMs() const { return render_ms + resolve_ms; }
   // Where the shader dominates, geometry is nothing.
   double shadedMs() const { return shade_ms + resolve_ms; }
 };
+
+// Frames before `first_timed` do not count.
+FrameTimes timesOf(const SequenceRun& run, size_t first_timed);
 
 // Its times are those of one method after another: ratios of them are only as good as the machine
 // is quiet. What claims a ratio takes PaperLab::timesTogether.

@@ -27,6 +27,7 @@ Paper amortizedPaper() {
               {"figure 12", "PSNR by frame: animated and dynamically lit scenes", figure12},
               {"figure 13", "Gobo light amortized or deferred", figure13},
               {"figure 14", "Quality and cost of everything compared", figure14},
+              {"time by price", "Time by the price of an evaluation", timeByPrice},
               {"limits", "Shading that moves over the surface", limits},
               {"memory", "Bytes at 1024 x 768", memory},
               {"silhouettes", "The whole pixel: silhouettes too", silhouettes},

@@ -19,6 +19,7 @@ void figure11(PaperLab& lab, Outcome& outcome);
 void figure12(PaperLab& lab, Outcome& outcome);
 void figure13(PaperLab& lab, Outcome& outcome);
 void figure14(PaperLab& lab, Outcome& outcome);
+void timeByPrice(PaperLab& lab, Outcome& outcome);
 void silhouettes(PaperLab& lab, Outcome& outcome);
 void limits(PaperLab& lab, Outcome& outcome);
 void memory(PaperLab& lab, Outcome& outcome);

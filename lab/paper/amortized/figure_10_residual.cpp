@@ -31,7 +31,11 @@ void residualSweep(PaperLab& lab, const std::string& run, const PaperView& view,
   }
   outcome.claim(run + " at the best tau_eps", std::nullopt, db[best], "dB",
                 "above the smallest and above none", db[best] > db.front() && db[best] > db.back());
-  outcome.linePlot({"PSNR over the residual tolerance", "tau_eps, luminance", "dB"}, {series});
+  outcome.linePlot({.title = "PSNR over the residual tolerance",
+                    .x = "tau_eps, luminance",
+                    .y = "dB",
+                    .log_x = true},
+                   {series});
 
   PaperScene& scene = lab.scene(run, view);
   const FloatImage& reference = scene.reference(scene.frames() - 1);

@@ -12,7 +12,7 @@ constexpr const char* kSampleNames[] = {"shading", "frame", nullptr};
 constexpr const char* kMotionNames[] = {"chained", "exact", nullptr};
 constexpr const char* kOrderNames[] = {"irregular", "round-robin", nullptr};
 
-// tau_b of 1, 2, 4 buffers: the sweeps of README.md, blur tolerance. With one buffer the samples
+// tau_b of 1, 2, 4 buffers: the sweeps of effects.md, blur tolerance. With one buffer the samples
 // alone have 0.224 px^2.
 constexpr double kBlurOfBuffers_px2[] = {1.0, 0.3, 0.25};
 
@@ -58,7 +58,7 @@ constexpr auto kSettings = settingTable({
                   "largest second moment that resampling may reach (tau_b); raising it averages "
                   "more frames and blurs more; below that of the samples every buffer starts anew "
                   "in motion; 0: that of the buffers in use, 0.25, 0.3, 1 for 4, 2, 1",
-                  "Yang et al. 2009, section 5.2; default: README.md, blur tolerance"),
+                  "Yang et al. 2009, section 5.2; default: effects.md, blur tolerance"),
     numberSetting(kResidual, "residual", 0.0, 0.0, 10.0, "luminance",
                   "residual above which history is let go (tau_eps); raising it trusts history "
                   "more; 0: never let go, and no residuals are kept",

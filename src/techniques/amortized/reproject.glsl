@@ -24,6 +24,8 @@ layout(binding = 9) uniform sampler2D buffer_3;
 const float kFlattest = 0.05;
 // Depths of one surface may leave the plane through its pixel by this share of its slope.
 const float kBend = 0.25;
+// Beyond the jitter's own reach motion uncovers what lies behind an edge.
+const float kReachOfJitter_px = 0.5;
 // The pixel's own tent (20), twice as wide as a buffer's.
 const float kPixelTentRadius_px = 1.0;
 
@@ -164,7 +166,9 @@ struct Previous {
   vec4 shares;  // sum 1, or 0 where none does
 };
 
-// `newest` is the buffer that the previous frame wrote.
+// `newest` is the buffer that the previous frame wrote. Where an edge moves, what lay behind it
+// shares its colour with the pixel, as validTexels allows, but not its count: a pixel just
+// uncovered would inherit the trust of the one beside it.
 Previous previousOf(sampler2D newest, Surface s, Way ways[4]) {
   Way way = Way(s.motion_px, 0.0, 0.0);
   SlotState state = k.slots[0];
@@ -175,6 +179,7 @@ Previous previousOf(sampler2D newest, Surface s, Way ways[4]) {
     state = k.slots[b];
     way = Way(s.motion_px, ways[b].depth_shift, ways[b].shift_known);
   }
+  if (length(s.motion_px) > kReachOfJitter_px) s.depth_span = 0.0;
   Footprint f = footprintIn(state, vec2(0.0), s, s.motion_px, vec2(0.0));
   vec4 w = tentWeights(f.point.x, f.point.y, 1.0);
   if (tested) w *= validTexels(depthsIn(newest, f), f, state, s, way);

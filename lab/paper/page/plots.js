@@ -24,8 +24,10 @@ const plots = (() => {
   function lines(parent, block) {
     const [width, height] = block.square ? [340, 316] : [760, 300];
     const margin = { left: 58, right: 12, top: 8, bottom: 38 };
+    // Equal images have 200 dB, which would flatten all others.
+    const most = (key) => key === "y" && /\bdB\b/.test(block.y) ? 199 : Infinity;
     const all = (key) => [].concat(...block.series.map((s) => s[key]))
-      .filter((v) => Number.isFinite(v) && v < 199);
+      .filter((v) => Number.isFinite(v) && v < most(key));
     const svg = svgIn(parent, width, height);
     const scaleOf = (key, log) => log
       ? d3.scale.log().domain(d3.extent(all(key).filter((v) => v > 0)))
@@ -38,7 +40,7 @@ const plots = (() => {
       const values = d3.set(all(key)).values().map(Number);
       if (!log) return axis.ticks(count);
       return values.length <= 8 ? axis.tickValues(values).tickFormat(d3.format("g"))
-        : axis.ticks(count, ".2g");
+        : axis.ticks(count, (v) => Number(v.toPrecision(2)).toString());
     };
     svg.append("g").attr("class", "axis").attr("transform", `translate(0,${height - margin.bottom})`)
       .call(ticks(d3.svg.axis().scale(x).orient("bottom"), "x", block.log_x, 8));

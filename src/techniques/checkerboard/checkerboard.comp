@@ -19,6 +19,7 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(constant_id = 0) const uint kBounded = 0u;
 layout(constant_id = 1) const uint kSpatial = 0u;
+layout(constant_id = 2) const uint kHistoryClamp = 1u;
 
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
@@ -125,12 +126,11 @@ void main() {
   if (!known) valid = vec4(1.0);
   float valid_taps = dot(valid, vec4(1.0));
   hit = hit && valid_taps > 0.5;
-  vec4 history = cubicHistory(history_image, inside_px, k.frame.history_texel_uv, last_center_px,
-                              k.history_sharpness, false);
-  // A loop, not a branch: CPU drivers run both sides of a branch for every pixel.
-  for (int mixed = hit && valid_taps < 3.5 ? 0 : 1; mixed < 1; ++mixed) {
-    history = validHistory(history_image, inside_px, last_center_px, valid);
-  }
+  vec4 inner[4] = innerTexels(history_image, inside_px, last_center_px);
+  vec4 history = cubicAroundInner(inner, history_image, inside_px, k.frame.history_texel_uv,
+                                  last_center_px, k.history_sharpness);
+  if (kHistoryClamp != 0u) history = withinInner(history, inner);
+  if (hit && valid_taps < 3.5) history = validOfInner(inner, inside_px, valid);
   bool still = length(motion_px) < kStillMotion_px;
   float held = hit ? min(history.a, still ? k.held_limit_still : k.held_limit) : 0.0;
 

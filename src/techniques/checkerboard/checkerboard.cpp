@@ -31,6 +31,7 @@ enum Setting : uint32_t {
   kSpatial,
   kDepthTolerance,
   kHistorySharpness,
+  kHistoryClamp,
   kStillFrames,
   kGammaStill,
   kSettingCount
@@ -68,6 +69,8 @@ constexpr auto kSettings = settingTable({
                   "how much farther than the tap the current surface may be", "as taa"),
     numberSetting(kHistorySharpness, "history_sharpness", 0.6, 0.0, 1.0, "",
                   "c of the cubic history filter of 5 fetches", "as taa"),
+    switchSetting(kHistoryClamp, "history_clamp", true,
+                  "keeps that filter within the four texels around", "as cpst"),
     integerSetting(kStillFrames, "still_frames", 512, 1, 2048, "samples",
                    "where nothing moves the mean goes on to this many samples", "as taa"),
     numberSetting(kGammaStill, "gamma_still", 8.0, 0.0, 16.0, "standard deviations",
@@ -128,7 +131,8 @@ class Checkerboard final : public Technique {
                                     Binding::kLinear, Binding::kTexel, Binding::kStorage,
                                     Binding::kStorage, Binding::kStorage, Binding::kConstants},
                        .constant_bytes = sizeof(CheckerboardConstants),
-                       .specialization = {s.on(kClip) ? 1u : 0u, s.choice(kSpatial)}});
+                       .specialization = {s.on(kClip) ? 1u : 0u, s.choice(kSpatial),
+                                          s.on(kHistoryClamp) ? 1u : 0u}});
   }
 
   void record(Recorder& recorder, const FrameState& state) override {

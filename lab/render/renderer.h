@@ -36,6 +36,7 @@ struct RenderSwitches {
   // triangle seen there: shading is antialiased, silhouettes are not (as in Yang et al. 2009).
   bool shading_only = false;
   std::optional<uint32_t> lamps;  // scattered over the scene, instead of its own number
+  float lamp_reach = 1.0f;        // of their usual range, at the same intensity
   bool cull_lamps = true;         // false: every pixel loops over all of them
   // Cameras see, and move by the pixels of, an image of this extent; {0, 0}: the one rendered. For
   // frames that will be upsampled.

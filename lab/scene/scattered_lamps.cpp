@@ -78,7 +78,7 @@ class Placement {
 
 }  // namespace
 
-std::vector<GpuLamp> scatteredLamps(const Scene& scene, uint32_t count) {
+std::vector<GpuLamp> scatteredLamps(const Scene& scene, uint32_t count, float reach) {
   std::vector<GpuLamp> lamps;
   if (count == 0) return lamps;
   const Placement placement(scene);
@@ -95,12 +95,12 @@ std::vector<GpuLamp> scatteredLamps(const Scene& scene, uint32_t count) {
                          1.0f + 0.45f * std::cos(hue + 2.0943951f));
     const glm::vec3 color = kStrength * range_m * range_m * tint;
     if (i % 2 == 0) {
-      lamps.push_back({{position, range_m}, {color, -1.5f}, {0.0f, -1.0f, 0.0f, -2.0f}});
+      lamps.push_back({{position, reach * range_m}, {color, -1.5f}, {0.0f, -1.0f, 0.0f, -2.0f}});
       continue;
     }
     const glm::vec3 aside(drawn(5) - 0.5f, drawn(6) - 0.5f, drawn(7) - 0.5f);
     const float half_angle = kNarrowest + (kWidest - kNarrowest) * drawn(8);
-    lamps.push_back({{position, range_m},
+    lamps.push_back({{position, reach * range_m},
                      {2.0f * color, std::cos(kSoftEdge * half_angle)},
                      {glm::normalize(0.8f * aside - place.normal), std::cos(half_angle)}});
   }

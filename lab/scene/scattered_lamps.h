@@ -11,7 +11,7 @@ namespace reprise::lab {
 
 // `count` lamps, at most kMaxLamps, before surfaces of the scene as it is at time 0, at random by
 // area; every other one is a cone that looks at its surface. The first of a larger number are those
-// of a smaller one. Ranges follow the scene's size.
-std::vector<GpuLamp> scatteredLamps(const Scene& scene, uint32_t count);
+// of a smaller one. Ranges follow the scene's size, times `reach`; intensities do not depend on it.
+std::vector<GpuLamp> scatteredLamps(const Scene& scene, uint32_t count, float reach = 1.0f);
 
 }  // namespace reprise::lab

@@ -17,6 +17,7 @@ Paper cpstPaper() {
               {"evaluations", "Shading evaluations at 1920 x 1080", evaluations},
               {"table 1", "Time of the passes, and evaluations", table1},
               {"table 2", "Time by the number of lights, and lights of each tile", table2},
+              {"time by price", "Time by the price of an evaluation", timeByPrice},
               {"quality", "PS, CPS, CBR and CPS-T against the reference", quality},
               {"figure 1", "Crops of Bistro", figure1},
               {"figure 5", "The scale of the variance, and silhouettes", figure5},

@@ -12,6 +12,7 @@ namespace reprise::lab::cpst {
 void evaluations(PaperLab& lab, Outcome& outcome);
 void table1(PaperLab& lab, Outcome& outcome);
 void table2(PaperLab& lab, Outcome& outcome);
+void timeByPrice(PaperLab& lab, Outcome& outcome);
 void quality(PaperLab& lab, Outcome& outcome);
 void figure1(PaperLab& lab, Outcome& outcome);
 void figure5(PaperLab& lab, Outcome& outcome);

@@ -88,13 +88,14 @@ const std::vector<Contender>& judged() {
 }
 
 BareScene::BareScene(PaperLab& lab, const std::string& run, VkExtent2D extent, uint32_t frames,
-                     std::optional<uint32_t> lamps, double frame_rate)
+                     std::optional<uint32_t> lamps, double frame_rate, float lamp_reach)
     : lab_(lab), name_(run), device_(lab.openDevice()), frames_(frames) {
   SceneSourceOptions options;
   options.extent = extent;
   options.frames = frames;
   options.frame_rate = frame_rate;
   options.switches.lamps = lamps;
+  options.switches.lamp_reach = lamp_reach;
   options.reference.cache = "none";
   source_ = std::make_unique<SceneSource>(*device_, parseSceneRun(run), options);
 }

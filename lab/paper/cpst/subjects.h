@@ -51,9 +51,9 @@ const std::vector<Contender>& judged();
 // A scene without references, for times and counts.
 class BareScene {
  public:
-  // `lamps`: none given, the scene's own.
+  // `lamps`: none given, the scene's own; `lamp_reach` as in RenderSwitches.
   BareScene(PaperLab& lab, const std::string& run, VkExtent2D extent, uint32_t frames,
-            std::optional<uint32_t> lamps, double frame_rate = 60.0);
+            std::optional<uint32_t> lamps, double frame_rate = 60.0, float lamp_reach = 1.0f);
   ~BareScene();
   BareScene(const BareScene&) = delete;
   BareScene& operator=(const BareScene&) = delete;

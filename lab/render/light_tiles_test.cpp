@@ -119,5 +119,16 @@ TEST(ScatteredLamps, AreTheSameForEveryNumber) {
   EXPECT_TRUE(scatteredLamps(*scene, 0).empty());
 }
 
+TEST(ScatteredLamps, ReachFartherAtTheSameIntensity) {
+  const std::unique_ptr<Scene> scene = parseSceneRun("lights/still").scene->create();
+  const std::vector<GpuLamp> usual = scatteredLamps(*scene, 32);
+  const std::vector<GpuLamp> wide = scatteredLamps(*scene, 32, 2.0f);
+  ASSERT_EQ(wide.size(), usual.size());
+  for (size_t i = 0; i < usual.size(); ++i) {
+    EXPECT_EQ(wide[i].position_range, usual[i].position_range * glm::vec4(1.0f, 1.0f, 1.0f, 2.0f));
+    EXPECT_EQ(wide[i].color_inner, usual[i].color_inner);
+  }
+}
+
 }  // namespace
 }  // namespace reprise::lab

@@ -83,6 +83,12 @@ struct Cost {
 // Medians over the frames after the first.
 Cost costOf(const SequenceRun& run);
 
+// What was asked of a frame at 512 lights, and what Table 2 published: CPS-T over PS and over CBR.
+constexpr double kMostFrameOfPs = 0.55;
+constexpr double kMostFrameOfCbr = 0.72;
+constexpr double kPublishedOfPs = 9.48 / 17.95;
+constexpr double kPublishedOfCbr = 9.48 / 13.66;
+
 // Extent and frames of what is timed: a few frames, large enough that coarse pixels are coarse.
 VkExtent2D timedExtent(const PaperLab& lab);
 uint32_t timedFrames(const PaperLab& lab);

@@ -102,14 +102,9 @@ vec4 lanczosHistory(sampler2D image, vec2 px, vec2 last_px) {
   return max(sum / weight_sum, vec4(0.0));
 }
 
-// Bilinear over the texels whose `valid` is 1, in the order (0,0) (1,0) (0,1) (1,1).
+// The same, fetched here.
 vec4 validHistory(sampler2D image, vec2 px, vec2 last_px, vec4 valid) {
-  vec2 base_px = floor(px - 0.5);
-  vec4 w = validTapWeights(px.x - 0.5 - base_px.x, px.y - 0.5 - base_px.y, valid);
-  ivec2 lo = ivec2(clamp(base_px, vec2(0.0), last_px - 0.5));
-  ivec2 hi = ivec2(clamp(base_px + 1.0, vec2(0.0), last_px - 0.5));
-  return w.x * texelFetch(image, lo, 0) + w.y * texelFetch(image, ivec2(hi.x, lo.y), 0) +
-         w.z * texelFetch(image, ivec2(lo.x, hi.y), 0) + w.w * texelFetch(image, hi, 0);
+  return validOfInner(innerTexels(image, px, last_px), px, valid);
 }
 
 #endif

@@ -24,6 +24,8 @@ class Amortized final : public Technique {
     const Settings& s = declaration.settings;
     const VkExtent2D extent = declaration.max_output_extent;
     const uint32_t slots = slotCount(s);
+    // What was gathered lies in images that may not outlive this.
+    gathered_for_.reset();
     past_.setSlots(slots);
     variant_ = {.slots = slots,
                 .exact_motion = s.choice(kMotion) == kMotionExact,

@@ -22,6 +22,10 @@ vec3 sanitizedColor(vec3 color) {
   return min(mix(vec3(0.0), color, valid), vec3(kMaxColor));
 }
 
+bool isFinite(vec3 color) {
+  return all(lessThanEqual(abs(color), vec3(3.0e38)));
+}
+
 vec3 fetchColor(sampler2D image, ivec2 px, ivec2 last_px) {
   return sanitizedColor(texelFetch(image, clamp(px, ivec2(0), last_px), 0).rgb);
 }

@@ -134,11 +134,13 @@ void main() {
   vec3 current = vec3(0.0);
   for (int i = 0; i < 9; ++i) {
     ivec2 at_px = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
-    vec3 color = fetchColor(color_image, at_px, last_px);
+    vec3 texel = texelFetch(color_image, at_px, 0).rgb;
     vec4 told = texelFetch(predicted_image, at_px, 0);
     told.rgb *= gain;
-    samples[i] = yCoCgFromRgb(color);
     float w = isPredicted(told);
+    // What is no number is what was foretold: black would be held against history for many frames.
+    vec3 color = w > 0.0 && !isFinite(texel) ? told.rgb : sanitizedColor(texel);
+    samples[i] = yCoCgFromRgb(color);
     float foretold = lumaYCoCg(told.rgb);
     float residual = w * (samples[i].x - foretold);
     pooled.mean += residual;

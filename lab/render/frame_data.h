@@ -43,6 +43,7 @@ LAB_CONST kLightSun = 2u;
 LAB_CONST kLightGobo = 3u;  // a cone behind a mask that turns
 
 LAB_CONST kMaxCoarseSize = 4u;  // REPRISE_MAX_COARSE_SIZE
+LAB_CONST kCoarseGroup = 64u;   // evaluations a workgroup of coarse.comp
 
 // Layers of light: what a pass shows of the scene's light is a mask of these.
 LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and the ambient light
@@ -160,8 +161,7 @@ struct ShadeConstants {
 // Of shading below the pixels' rate (coarse.comp, checkerboard.comp).
 struct CoarseConstants {
   vec2 jitter_px;
-  uint size;         // pixels a side; at most kMaxCoarseSize
-  uint origin_x_px;  // [0, size)
+  uint origin_x_px;  // below the coarse pixels' size
   uint origin_y_px;
   uint checkerboard;  // 1: pixels whose x + y is even; 2: odd
   uint light_layers;

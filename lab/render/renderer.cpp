@@ -29,12 +29,6 @@ constexpr uint32_t kMotionShader[] = {
 constexpr uint32_t kShadeShader[] = {
 #include "shade.comp.inc"
 };
-constexpr uint32_t kCoarseShader[] = {
-#include "coarse.comp.inc"
-};
-constexpr uint32_t kCheckerboardShader[] = {
-#include "checkerboard.comp.inc"
-};
 constexpr uint32_t kLateShader[] = {
 #include "late.comp.inc"
 };
@@ -347,32 +341,15 @@ void Renderer::recordShade(VkCommandBuffer commands, const ShadeConstants& const
   recordShadeWith(commands, shade_program_, color_, constants);
 }
 
-void Renderer::prepareCoarse() {
-  if (coarse_ready_) return;
-  ComputeProgramInfo info{.name = "coarse",
-                          .spirv = kCoarseShader,
-                          .bindings = followedBy(shadingTypes(), {kStored}),
-                          .push_bytes = sizeof(CoarseConstants),
-                          .specialization = shadeSpecialization(false)};
-  coarse_program_ = ComputeProgram(device_, info);
-  info.name = "checkerboard";
-  info.spirv = kCheckerboardShader;
-  checkerboard_program_ = ComputeProgram(device_, info);
-  coarse_ready_ = true;
+void Renderer::prepareCoarse(uint32_t size) {
+  CoarseShading& coarse = coarse_.at(size);
+  if (coarse.ready()) return;
+  coarse = CoarseShading(device_, size, extent_, shadingTypes(), shadeSpecialization(false));
 }
 
-void Renderer::recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const {
-  const std::vector<Bound> bound = followedBy(shadingBindings(), {stored(color_)});
-  if (constants.size > 1) {
-    // One more where the grid begins inside the frame's first coarse pixel.
-    const VkExtent2D blocks{extent_.width / constants.size + 2,
-                            extent_.height / constants.size + 2};
-    coarse_program_.dispatch(commands, blocks, bound, constants);
-  } else {
-    checkerboard_program_.dispatch(commands, {(extent_.width + 1) / 2, extent_.height}, bound,
-                                   constants);
-  }
-  fullBarrier(commands);
+void Renderer::recordCoarse(VkCommandBuffer commands, uint32_t size,
+                            const CoarseConstants& constants) const {
+  coarse_.at(size).record(commands, shadingBindings(), color_, constants);
 }
 
 void Renderer::prepareLate() {

@@ -13,6 +13,7 @@
 
 #include "equations/language.h"
 #include "lab/frame_inputs.h"
+#include "lab/render/coarse_shading.h"
 #include "lab/render/frame_data.h"
 #include "lab/render/light_tiles.h"
 #include "lab/render/scene_buffers.h"
@@ -78,10 +79,11 @@ class Renderer {
   void recordGeometry(VkCommandBuffer commands) const;
   void recordShade(VkCommandBuffer commands, const ShadeConstants& constants) const;
   // Shading below the pixels' rate, into color(): a coarse pixel and triangle at a time where
-  // constants.size is above 1, else half the pixels (constants.checkerboard). prepareCoarse must
-  // have been called.
-  void prepareCoarse();
-  void recordCoarse(VkCommandBuffer commands, const CoarseConstants& constants) const;
+  // `size`, pixels a side of it, is above 1, else half the pixels (constants.checkerboard).
+  // prepareCoarse must have been called for the size.
+  void prepareCoarse(uint32_t size);
+  void recordCoarse(VkCommandBuffer commands, uint32_t size,
+                    const CoarseConstants& constants) const;
   // The deferred layer of light, by equation hiddenGain, into late(). prepareLate must have been
   // called.
   void prepareLate();
@@ -176,9 +178,7 @@ class Renderer {
   ComputeProgram accumulate_program_;
   ComputeProgram mean_program_;
   ComputeProgram serve_program_;
-  ComputeProgram coarse_program_;
-  ComputeProgram checkerboard_program_;
-  bool coarse_ready_ = false;
+  std::array<CoarseShading, kMaxCoarseSize + 1> coarse_;  // by size
   ComputeProgram late_program_;
 };
 

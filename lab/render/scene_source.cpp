@@ -43,6 +43,11 @@ bool belowPixelRate(const SamplePlan& plan) {
   return plan.grid <= 1 && (plan.library.coarse_size > 1 || plan.library.checkerboard != 0);
 }
 
+// 1: a checkerboard.
+uint32_t coarseSize(const RepriseSamplePlan& sampling) {
+  return std::max(sampling.coarse_size, 1u);
+}
+
 // What derivatives across coarse pixels, or across a checkerboard's half resolution, add to a
 // texture's level (Xiao et al. 2018, section 4); plans subtract it again.
 float rateBias(const SamplePlan& plan) {
@@ -88,7 +93,7 @@ void SceneSource::prepare(const SamplePlan& plan) {
     if (options_.switches.samples > 1) {
       throw std::invalid_argument("with --spp 4 every pixel is shaded: no coarse shading");
     }
-    renderer_.prepareCoarse();
+    renderer_.prepareCoarse(coarseSize(plan.library));
   }
   if (plan.request) renderer_.prepareServe();
   if (plan.library.motion_back != 0) renderer_.prepareMotionBack();
@@ -187,15 +192,14 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
 
 void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
                                        const ShadeConstants& constants) {
-  const bool coarse = sampling.coarse_size > 1;
   renderer_.recordCoarse(
-      commands, {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
-                 .size = coarse ? sampling.coarse_size : 1,
-                 .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
-                 .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
-                 .checkerboard = sampling.checkerboard,
-                 .light_layers = constants.light_layers,
-                 .shade_covered = sampling.coarse_covered});
+      commands, coarseSize(sampling),
+      {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
+       .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
+       .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
+       .checkerboard = sampling.checkerboard,
+       .light_layers = constants.light_layers,
+       .shade_covered = sampling.coarse_covered});
 }
 
 std::optional<FloatImage> SceneSource::reference(uint32_t index) {

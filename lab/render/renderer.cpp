@@ -196,7 +196,7 @@ void Renderer::setFrame(double frame, float mip_bias) {
   data.mip_bias = mip_bias;
   data.time_s = static_cast<float>(now_s);
   buffers_.frame() = data;
-  shadow_map_.setFrame(buffers_.frame(), lights,
+  shadow_map_.setFrame(buffers_.frame(), frame, lights,
                        glm::normalize(pose.target_world - pose.eye_world));
 }
 

@@ -61,7 +61,7 @@ class Renderer {
   void recordTransform(VkCommandBuffer commands, uint32_t frames_back) const;
   // Then, before anything is shaded: what the sun sees. Nothing in scenes without shadows.
   bool hasShadows() const { return shadow_map_.on(); }
-  void recordShadows(VkCommandBuffer commands) const { shadow_map_.record(commands); }
+  void recordShadows(VkCommandBuffer commands) { shadow_map_.record(commands); }
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
   void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;

@@ -29,6 +29,12 @@ class SceneBuffers {
   glm::mat4* transforms(uint32_t age) {
     return static_cast<glm::mat4*>(transforms_.mapped()) + size_t{age} * instance_count_;
   }
+  // Of the current frame.
+  std::span<const glm::mat4> transforms() const {
+    return {static_cast<const glm::mat4*>(transforms_.mapped()), instance_count_};
+  }
+  // Whether the wind moves anything.
+  bool sways() const { return has_sways_; }
   uint32_t vertexCount() const { return vertex_count_; }
   uint32_t instanceCount() const { return instance_count_; }
 

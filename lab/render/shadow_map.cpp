@@ -90,8 +90,8 @@ ShadowMap::ShadowMap(Device& device, const Scene& scene, const SceneBuffers& buf
   tested_program_ = GraphicsProgram(device, info);
 }
 
-void ShadowMap::setFrame(GpuFrame& frame, const SceneLights& lights,
-                         glm::vec3 forward_world) const {
+void ShadowMap::setFrame(GpuFrame& frame, double number, const SceneLights& lights,
+                         glm::vec3 forward_world) {
   frame.shadow_light = kMaxLights;
   frame.shadow_from_world = glm::mat4(1.0f);
   frame.shadow_bias = 0.0f;
@@ -109,10 +109,20 @@ void ShadowMap::setFrame(GpuFrame& frame, const SceneLights& lights,
   frame.shadow_light = static_cast<uint32_t>(sun - lights.lights.begin());
   frame.shadow_from_world = view.matrix;
   frame.shadow_bias = kConstantBias_texels * view.texel_m / view.depth_m;
+  const std::span<const glm::mat4> transforms = buffers_.transforms();
+  seen_ = {.from_world = view.matrix,
+           .transforms = {transforms.begin(), transforms.end()},
+           .wind = buffers_.sways() ? frame.wind[0] : glm::vec4(0.0f)};
+  number_ = number;
 }
 
-void ShadowMap::record(VkCommandBuffer commands) const {
-  if (!on_) return;
+bool ShadowMap::isKept() const {
+  return made_.has_value() && made_->number != number_ && made_->seen == seen_;
+}
+
+void ShadowMap::record(VkCommandBuffer commands) {
+  if (!on_ || isKept()) return;
+  made_ = {seen_, number_};
   beginRendering(commands, nullptr, image_, 1.0f);
   const std::vector<Instance>& instances = scene_.geometry().instances;
   const auto draw = [&](const GraphicsProgram& program, const std::vector<uint32_t>& which,

@@ -1,9 +1,12 @@
 // SPDX-License-Identifier: MIT
 //
-// What a sun sees, once a frame, as depth: whoever is farther is in the shade (shadow.glsl).
+// What a sun sees, as depth: whoever is farther is in the shade (shadow.glsl). Kept from frame to
+// frame where nothing that it shows has changed, as a renderer keeps the map of what stands still.
 #pragma once
 
 #include <glm/glm.hpp>
+#include <optional>
+#include <vector>
 
 #include "lab/render/scene_buffers.h"
 #include "lab/vk/graphics_program.h"
@@ -34,10 +37,15 @@ class ShadowMap {
   bool on() const { return on_; }
   const Image& image() const { return image_; }  // D32
 
-  // Fills in what the frame says of the shadow map. `forward_world`: the way the camera looks.
-  void setFrame(GpuFrame& frame, const SceneLights& lights, glm::vec3 forward_world) const;
-  // After the transform pass; ends with a barrier. Nothing where there is no shadow.
-  void record(VkCommandBuffer commands) const;
+  // Fills in what the frame, the sequence's `number`, says of the shadow map. `forward_world`: the
+  // way the camera looks.
+  void setFrame(GpuFrame& frame, double number, const SceneLights& lights, glm::vec3 forward_world);
+  // Whether the map that an earlier frame made is this frame's, texel by texel. A frame that made
+  // its own makes it again whenever it is recorded: techniques that take turns at it pay alike.
+  bool isKept() const;
+  // After the transform pass; ends with a barrier. Nothing where there is no shadow, or the map is
+  // kept.
+  void record(VkCommandBuffer commands);
 
   void appendContent(std::vector<uint8_t>& bytes) const;
 
@@ -48,6 +56,21 @@ class ShadowMap {
   Image image_;
   GraphicsProgram opaque_program_;
   GraphicsProgram tested_program_;
+
+  // All that a map's texels depend on and a frame may change.
+  struct Seen {
+    glm::mat4 from_world{1.0f};
+    std::vector<glm::mat4> transforms;  // of all instances
+    glm::vec4 wind{0.0f};               // where something sways
+    bool operator==(const Seen&) const = default;
+  };
+  struct Made {
+    Seen seen;
+    double number = 0.0;
+  };
+  Seen seen_;  // of the current frame
+  double number_ = 0.0;
+  std::optional<Made> made_;  // what the image shows
 };
 
 }  // namespace reprise::lab

@@ -104,7 +104,92 @@ Judged judge(const FloatImage& image, glm::vec3 low, glm::vec3 high) {
   return judged;
 }
 
+// The box over the floor, and one thing that changes as time goes.
+enum class Moves { kNothing, kBox, kSun, kCamera, kWind };
+template <Moves kMoves>
+SceneRun movingRun() {
+  class MovingScene final : public Scene {
+   public:
+    MovingScene() {
+      if (kMoves == Moves::kWind) {
+        // The box alone: the floor's four vertices are stiff.
+        all_.geometry.sways.resize(all_.geometry.vertices.size());
+        for (size_t i = 4; i < all_.geometry.vertices.size(); ++i) {
+          all_.geometry.sways[i].push = {0.4f, 0.2f, 0.0f, 0.0f};
+        }
+      }
+    }
+    const Geometry& geometry() const override { return all_.geometry; }
+    glm::mat4 transform(uint32_t instance, double time_s) const override {
+      glm::mat4 world(1.0f);
+      if (kMoves == Moves::kBox && instance > 0) world[3].x = static_cast<float>(time_s);
+      return world;
+    }
+    CameraPose camera(std::string_view, const CameraValues&, double time_s,
+                      uint32_t) const override {
+      CameraPose pose = all_.pose;
+      if (kMoves == Moves::kCamera) {
+        pose.eye_world.x += static_cast<float>(time_s);
+        pose.target_world.x += static_cast<float>(time_s);
+      }
+      return pose;
+    }
+    SceneLights lights(double time_s) const override {
+      SceneLights lights = all_.lights;
+      if (kMoves == Moves::kSun) {
+        const glm::vec3 towards = kTowards + glm::vec3(static_cast<float>(time_s), 0.0f, 0.0f);
+        lights.lights = {sunLight(towards, glm::vec3(1.0f), true)};
+      }
+      return lights;
+    }
+    glm::vec3 wind_world(double) const override {
+      return {kMoves == Moves::kWind ? 1.0f : 0.0f, 0.0f, 0.0f};
+    }
+
+   private:
+    MadeUp all_ = boxOverFloor();
+  };
+  static const SceneInfo info{
+      .name = "moving", .content = "", .cameras = {{"still", "", {}, std::nullopt}}, .create = [] {
+        return std::unique_ptr<Scene>(std::make_unique<MovingScene>());
+      }};
+  return {.name = "moving/still", .scene = &info, .camera = &info.cameras[0], .values = {}};
+}
+
 using Shadows = DeviceTest;
+
+// Frames of one renderer against those of renderers that made their first map for them.
+void expectEveryFramesOwnMap(Device& device, const SceneRun& run, bool kept) {
+  const SceneSourceOptions options = testOptions(kExtent);
+  SceneSource source(device, run, options);
+  FloatImage first;
+  for (const uint32_t index : {0u, 9u}) {
+    const FloatImage image = colorOf(device, source, index);
+    if (index == 0) first = image;
+    EXPECT_EQ(image.texels == first.texels, kept || index == 0) << index;
+    SceneSource fresh(device, run, options);
+    EXPECT_TRUE(image.texels == colorOf(device, fresh, index).texels) << index;
+    const ShadowMap& map = source.renderer().shadowMap();
+    EXPECT_TRUE(download(device, map.image()).texels ==
+                download(device, fresh.renderer().shadowMap().image()).texels)
+        << index;
+    // By others who render the same frame, and in the next.
+    EXPECT_EQ(map.isKept(), kept && index > 0) << index;
+    source.renderer().setFrame(index + 1, 0.0f);
+    EXPECT_EQ(map.isKept(), kept) << index;
+  }
+}
+
+TEST_F(Shadows, OfWhatStandsStillAreKept) {
+  expectEveryFramesOwnMap(device, movingRun<Moves::kNothing>(), true);
+}
+
+TEST_F(Shadows, OfWhatMovesAreNeverAnotherFrames) {
+  expectEveryFramesOwnMap(device, movingRun<Moves::kBox>(), false);
+  expectEveryFramesOwnMap(device, movingRun<Moves::kSun>(), false);
+  expectEveryFramesOwnMap(device, movingRun<Moves::kCamera>(), false);
+  expectEveryFramesOwnMap(device, movingRun<Moves::kWind>(), false);
+}
 
 TEST_F(Shadows, OfABoxFallsWhereGeometrySays) {
   SceneSource source(device, madeUpRun<boxOverFloor>(), testOptions(kExtent));

@@ -17,6 +17,11 @@ void SceneFlags::addTo(CLI::App& verb, bool with_reference) {
   verb.add_option("--fps", frame_rate, "frames a second of scenes")
       ->check(CLI::Range(0.001, 100000.0))
       ->capture_default_str();
+  verb.add_option("--shade-by", shade_by,
+                  "scenes: what shades, a compute pass, or the rasterizer's fragments (raster), "
+                  "coarse ones where the device has VK_KHR_fragment_shading_rate")
+      ->check(CLI::IsMember({"compute", "raster"}))
+      ->capture_default_str();
   verb.add_flag(
       "--unjitter-textures", unjitter_textures,
       "scenes: textures are looked up at the pixel centre although visibility is jittered");
@@ -74,6 +79,7 @@ lab::SceneSourceOptions SceneFlags::options() const {
   options.extent = parseExtent(extent);
   options.frames = frames;
   options.frame_rate = frame_rate;
+  options.switches.shade_by = shade_by == "raster" ? lab::ShadeBy::kRaster : lab::ShadeBy::kCompute;
   options.switches.unjitter_textures = unjitter_textures;
   options.switches.mip_bias = mip_bias;
   options.switches.defer_lights = defer_lights;

@@ -20,6 +20,7 @@ struct SceneFlags {
   std::string reference_filter = "box";
   double reference_shutter = 0.0;
   std::string cache;
+  std::string shade_by = "compute";
   bool unjitter_textures = false;
   bool defer_lights = false;
   uint32_t late_positions = 4;

@@ -109,6 +109,7 @@ int render(const Globals& globals, const RenderFlags& flags) {
       lab::FrameInputs inputs;
       lab::SamplePlan sampling = resolver.plan(index);
       sampling.request = {};  // requests need history; a capture holds one evaluation a pixel
+      source->prepare(sampling);
       device->submitAndWait([&](VkCommandBuffer commands) {
         timestamps.begin(commands);
         inputs = source->frame(commands, index, sampling);

@@ -6,11 +6,11 @@
 #define REPRISE_LAB_COARSE_GLSL
 
 #include "lab/render/shade_triangle.glsl"
+#include "lab/render/coarse_pixel.glsl"
 
-// Pixels a side of a coarse pixel. Known to the compiler: CPU drivers divide lane by lane, and run
-// a loop of unknown length once more than it has turns.
-layout(constant_id = 7) const int kSize = 2;
-const int kPixels = kSize * kSize;
+// Evaluations a workgroup of coarse.comp. Not in frame_data.h: a new constant there renumbers the
+// ids of every shader, and with them the hashes of references.
+const uint kCoarseGroup = 64u;
 
 // As vkCmdDispatchIndirect reads it, then the items: a coarse pixel (x, y from bit 16), and those
 // of its pixels that show one triangle.
@@ -31,10 +31,6 @@ ivec2 baseOf(uvec2 coarse_pixel) {
   ivec2 origin_px = ivec2(push.origin_x_px, push.origin_y_px);
   // The first coarse pixels may begin outside the frame.
   return origin_px - kSize * ivec2(greaterThan(origin_px, ivec2(0))) + kSize * ivec2(coarse_pixel);
-}
-
-ivec2 pixelOf(ivec2 base_px, int i) {
-  return base_px + ivec2(i % kSize, i / kSize);
 }
 
 #endif

@@ -26,10 +26,6 @@ uint binOf(uvec2 key) {
   return key.y / kTrianglesABin % kBins;
 }
 
-bool withinFrame(ivec2 px) {
-  return all(greaterThanEqual(px, ivec2(0))) && all(lessThan(px, ivec2(frame.extent_px)));
-}
-
 // Room for `count` items in the list: where it begins. One atomic operation a subgroup.
 uint reserve(uint count) {
   uint before = subgroupExclusiveAdd(count);
@@ -37,7 +33,7 @@ uint reserve(uint count) {
   uint base = 0u;
   if (subgroupElect() && all_count > 0u) {
     base = atomicAdd(item_count, all_count);
-    uint a_row = groups_x * uint(kCoarseGroup);
+    uint a_row = groups_x * kCoarseGroup;
     atomicMax(groups_y, (base + all_count + a_row - 1u) / a_row);
   }
   return subgroupAdd(base) + before;

@@ -43,7 +43,6 @@ LAB_CONST kLightSun = 2u;
 LAB_CONST kLightGobo = 3u;  // a cone behind a mask that turns
 
 LAB_CONST kMaxCoarseSize = 4u;  // REPRISE_MAX_COARSE_SIZE
-LAB_CONST kCoarseGroup = 64u;   // evaluations a workgroup of coarse.comp
 
 // Layers of light: what a pass shows of the scene's light is a mask of these.
 LAB_CONST kLightLayerMain = 1u;      // all that techniques may amortize, and the ambient light
@@ -166,6 +165,17 @@ struct CoarseConstants {
   uint checkerboard;  // 1: pixels whose x + y is even; 2: odd
   uint light_layers;
   uint shade_covered;  // 1: amid the pixels that the triangle covers, 0: at the coarse centre
+};
+
+// Of shading by fragments (shade.vert, shade.frag). The image may lie beside the frame by less than
+// a fragment, since fragments begin at multiples of their size.
+struct RasterConstants {
+  VisibilityConstants draw;  // as visibility drew it: all that the vertex shader sees of these
+  ShadeConstants shade;
+  uint shift_x_px;  // from the frame to the image
+  uint shift_y_px;
+  uint shade_covered;  // as CoarseConstants has it
+  uint padding;
 };
 
 struct LateConstants {

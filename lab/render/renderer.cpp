@@ -11,6 +11,9 @@ namespace {
 constexpr uint32_t kVisibilityVertexShader[] = {
 #include "visibility.vert.inc"
 };
+constexpr uint32_t kInvariantVertexShader[] = {
+#include "visibility_invariant.vert.inc"
+};
 constexpr uint32_t kVisibilityFragmentShader[] = {
 #include "visibility.frag.inc"
 };
@@ -81,17 +84,19 @@ Renderer::Renderer(Device& device, const SceneRun& run, VkExtent2D extent, doubl
       visible_(device, {.format = VK_FORMAT_R32G32_UINT, .extent = extent, .render_target = true}),
       depth_(device, {.format = VK_FORMAT_D32_SFLOAT, .extent = extent, .render_target = true}),
       motion_(device, {.format = VK_FORMAT_R32G32_SFLOAT, .extent = extent}),
-      color_(device, {.format = VK_FORMAT_R16G16B16A16_SFLOAT, .extent = extent}),
+      color_(device, {.format = VK_FORMAT_R16G16B16A16_SFLOAT,
+                      .extent = extent,
+                      .render_target = switches.shade_by == ShadeBy::kRaster}),
       sum_(device, {.format = VK_FORMAT_R32G32B32A32_SFLOAT, .extent = extent}) {
-  createPrograms(device);
+  createPrograms(device, switches.shade_by);
 }
 
 std::vector<VkDescriptorType> Renderer::shadingTypes() {
   return followedBy(SceneBuffers::shadingTypes(), LightTiles::types());
 }
 
-std::vector<Bound> Renderer::shadingBindings() const {
-  return followedBy(buffers_.shadingBindings(visible_, shadow_map_.image()),
+std::vector<Bound> Renderer::shadingBindings(const Image& visible) const {
+  return followedBy(buffers_.shadingBindings(visible, shadow_map_.image()),
                     light_tiles_.bindings());
 }
 
@@ -110,7 +115,7 @@ ComputeProgram Renderer::createShadeProgram(Device& device, bool accumulate) con
                                  .specialization = shadeSpecialization(accumulate)});
 }
 
-void Renderer::createPrograms(Device& device) {
+void Renderer::createPrograms(Device& device, ShadeBy shade_by) {
   GraphicsProgramInfo visibility{.name = "visibility",
                                  .vertex_spirv = kVisibilityVertexShader,
                                  .fragment_spirv = kVisibilityFragmentShader,
@@ -118,6 +123,11 @@ void Renderer::createPrograms(Device& device) {
                                  .push_bytes = sizeof(VisibilityConstants),
                                  .color_format = VK_FORMAT_R32G32_UINT,
                                  .specialization = {}};
+  if (shade_by == ShadeBy::kRaster) {
+    visibility.vertex_spirv = kInvariantVertexShader;
+    raster_ = std::make_unique<RasterShading>(device, buffers_, scene_->geometry().instances,
+                                              extent_, shadingTypes(), shadeSpecialization(false));
+  }
   visibility_program_ = GraphicsProgram(device, visibility);
   if (!buffers_.tested().empty()) {
     visibility.name = "visibility, tested";
@@ -209,12 +219,20 @@ void Renderer::recordTransform(VkCommandBuffer commands, uint32_t frames_back) c
   fullBarrier(commands);
 }
 
-void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const {
+void Renderer::recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px,
+                                VkOffset2D shift_px) const {
+  const bool shifted = shift_px.x != 0 || shift_px.y != 0;
+  const RasterImages own{&visible_, &depth_, nullptr};
+  const RasterImages images = shifted ? raster_->beside() : own;
   // Reversed depth: the far plane is 0.
-  beginRendering(commands, &visible_, depth_, 0.0f);
+  beginRendering(commands, {.color = images.visible,
+                            .depth = images.depth,
+                            .clear_depth = 0.0f,
+                            .viewport = {shift_px, extent_}});
   drawScene(commands, visibility_program_, tested_program_, jitter_px);
   endRendering(commands);
   fullBarrier(commands);
+  if (shifted) raster_->copyVisibility(commands, shift_px, own);
 }
 
 void Renderer::recordLightTiles(VkCommandBuffer commands, eq::vec2 jitter_px) const {
@@ -350,6 +368,11 @@ void Renderer::prepareCoarse(uint32_t size) {
 void Renderer::recordCoarse(VkCommandBuffer commands, uint32_t size,
                             const CoarseConstants& constants) const {
   coarse_.at(size).record(commands, shadingBindings(), color_, constants);
+}
+
+void Renderer::recordRaster(VkCommandBuffer commands, const RasterFrame& frame) const {
+  raster_->record(commands, {&visible_, &depth_, &color_}, frame,
+                  [&](const Image& visible) { return shadingBindings(visible); });
 }
 
 void Renderer::prepareLate() {

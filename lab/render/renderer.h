@@ -16,6 +16,7 @@
 #include "lab/render/coarse_shading.h"
 #include "lab/render/frame_data.h"
 #include "lab/render/light_tiles.h"
+#include "lab/render/raster_shading.h"
 #include "lab/render/scene_buffers.h"
 #include "lab/render/shadow_map.h"
 #include "lab/scene/scattered_lamps.h"
@@ -26,7 +27,11 @@
 
 namespace reprise::lab {
 
+// Which pass shades a frame: a compute pass off what visibility saw, or the rasterizer's fragments.
+enum class ShadeBy { kCompute, kRaster };
+
 struct RenderSwitches {
+  ShadeBy shade_by = ShadeBy::kCompute;
   bool unjitter_textures = false;  // shade at the pixel centre although visibility is jittered
   float mip_bias = 0.0f;           // levels, added to the plan's
   bool defer_lights = false;       // kLightLayerDeferred goes into an image of its own
@@ -63,7 +68,9 @@ class Renderer {
   bool hasShadows() const { return shadow_map_.on(); }
   void recordShadows(VkCommandBuffer commands) { shadow_map_.record(commands); }
   // The passes. Each ends with a barrier: what it wrote is readable by what is recorded next.
-  void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px) const;
+  // `shift_px`: RasterShading::shiftOf, of what will be shaded by fragments.
+  void recordVisibility(VkCommandBuffer commands, eq::vec2 jitter_px,
+                        VkOffset2D shift_px = {0, 0}) const;
   void recordMotion(VkCommandBuffer commands, eq::vec2 jitter_px, uint32_t frames_back) const;
   // After visibility of the same jitter, before anything is shaded: Forward+. Nothing without
   // lamps.
@@ -84,6 +91,10 @@ class Renderer {
   void prepareCoarse(uint32_t size);
   void recordCoarse(VkCommandBuffer commands, uint32_t size,
                     const CoarseConstants& constants) const;
+  // The same two by fragments, with ShadeBy::kRaster: prepareRaster must have been called for the
+  // size.
+  void prepareRaster(uint32_t size) { raster_->prepare(size); }
+  void recordRaster(VkCommandBuffer commands, const RasterFrame& frame) const;
   // The deferred layer of light, by equation hiddenGain, into late(). prepareLate must have been
   // called.
   void prepareLate();
@@ -128,14 +139,15 @@ class Renderer {
 
  private:
   RepriseCamera cameraAt(double time_s, float* near_plane) const;
-  void createPrograms(Device& device);
+  void createPrograms(Device& device, ShadeBy shade_by);
   ComputeProgram createShadeProgram(Device& device, bool accumulate) const;
   // Seconds at which the scene is in frame `frame`; earlier frames than 0 repeat it.
   double timeOf(double frame) const;
   std::vector<uint32_t> shadeSpecialization(bool accumulate) const;
   // 0 to kFirstPassBinding - 1, of every pass that shades.
   static std::vector<VkDescriptorType> shadingTypes();
-  std::vector<Bound> shadingBindings() const;
+  std::vector<Bound> shadingBindings() const { return shadingBindings(visible_); }
+  std::vector<Bound> shadingBindings(const Image& visible) const;
   void recordShadeWith(VkCommandBuffer commands, const ComputeProgram& program, const Image& color,
                        const ShadeConstants& constants) const;
   // Opaque triangles first: they hide what would be tested in vain.
@@ -179,6 +191,7 @@ class Renderer {
   ComputeProgram mean_program_;
   ComputeProgram serve_program_;
   std::array<CoarseShading, kMaxCoarseSize + 1> coarse_;  // by size
+  std::unique_ptr<RasterShading> raster_;                 // with ShadeBy::kRaster
   ComputeProgram late_program_;
 };
 

@@ -56,6 +56,28 @@ float rateBias(const SamplePlan& plan) {
   return std::log2(static_cast<float>(plan.library.coarse_size));
 }
 
+CoarseConstants coarseConstants(const SamplePlan& plan, const ShadeConstants& constants) {
+  const RepriseSamplePlan& sampling = plan.library;
+  return {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
+          .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
+          .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
+          .checkerboard = sampling.checkerboard,
+          .light_layers = constants.light_layers,
+          .shade_covered = sampling.coarse_covered};
+}
+
+// Pixels a side that a fragment is shaded for.
+uint32_t fragmentSize(const SamplePlan& plan) {
+  return belowPixelRate(plan) ? coarseSize(plan.library) : 1;
+}
+
+// Of those that only compute passes have, the first in `plan`; "" where there is none.
+std::string onlyByCompute(const SamplePlan& plan, uint32_t samples) {
+  if (samples > 1 || plan.grid > 1) return "several samples a pixel";
+  if (plan.library.checkerboard != 0) return "a checkerboard";
+  return "";
+}
+
 std::string describedFilter(const ReferenceOptions& reference) {
   std::string text = reference.filter == ReferenceFilter::kBox ? "box" : "gaussian";
   if (reference.shutter > 0.0) {
@@ -89,10 +111,17 @@ SceneSource::SceneSource(Device& device, const SceneRun& run, const SceneSourceO
 }
 
 void SceneSource::prepare(const SamplePlan& plan) {
-  if (belowPixelRate(plan)) {
-    if (options_.switches.samples > 1) {
-      throw std::invalid_argument("with --spp 4 every pixel is shaded: no coarse shading");
+  const uint32_t samples = options_.switches.samples;
+  if (belowPixelRate(plan) && samples > 1) {
+    throw std::invalid_argument("with --spp 4 every pixel is shaded: no coarse shading");
+  }
+  if (byRaster()) {
+    const std::string lacking = onlyByCompute(plan, samples);
+    if (!lacking.empty()) {
+      throw std::invalid_argument("--shade-by raster cannot shade " + lacking);
     }
+    renderer_.prepareRaster(fragmentSize(plan));
+  } else if (belowPixelRate(plan)) {
     renderer_.prepareCoarse(coarseSize(plan.library));
   }
   if (plan.request) renderer_.prepareServe();
@@ -135,7 +164,10 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
          [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }
   // Depth and motion are those of the frame's one position also where colour has many.
-  span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px); });
+  const CoarseConstants coarse = coarseConstants(plan, constants);
+  const VkOffset2D shift_px =
+      byRaster() ? RasterShading::shiftOf(coarse, fragmentSize(plan)) : VkOffset2D{0, 0};
+  span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px, shift_px); });
   if (renderer_.hasLamps()) {
     span("light tiles", [&] { renderer_.recordLightTiles(commands, jitter_px); });
   }
@@ -167,13 +199,7 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
     inputs.extra = &renderer_.extra();
   }
   if (!many) {
-    span("shade", [&] {
-      if (belowPixelRate(plan)) {
-        recordBelowPixelRate(commands, sampling, constants);
-      } else {
-        renderer_.recordShade(commands, constants);
-      }
-    });
+    span("shade", [&] { recordShading(commands, plan, jitter_px, constants, coarse); });
   }
   if (belowPixelRate(plan)) {
     inputs.coarse_size = sampling.coarse_size;
@@ -190,16 +216,16 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   return inputs;
 }
 
-void SceneSource::recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
-                                       const ShadeConstants& constants) {
-  renderer_.recordCoarse(
-      commands, coarseSize(sampling),
-      {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
-       .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
-       .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
-       .checkerboard = sampling.checkerboard,
-       .light_layers = constants.light_layers,
-       .shade_covered = sampling.coarse_covered});
+void SceneSource::recordShading(VkCommandBuffer commands, const SamplePlan& plan,
+                                eq::vec2 jitter_px, const ShadeConstants& constants,
+                                const CoarseConstants& coarse) const {
+  if (byRaster()) {
+    renderer_.recordRaster(commands, {jitter_px, constants, fragmentSize(plan), coarse});
+  } else if (belowPixelRate(plan)) {
+    renderer_.recordCoarse(commands, coarseSize(plan.library), coarse);
+  } else {
+    renderer_.recordShade(commands, constants);
+  }
 }
 
 std::optional<FloatImage> SceneSource::reference(uint32_t index) {

@@ -35,8 +35,10 @@ class SceneSource final : public FrameSource {
   ReferenceStore& references() { return references_; }
 
  private:
-  void recordBelowPixelRate(VkCommandBuffer commands, const RepriseSamplePlan& sampling,
-                            const ShadeConstants& constants);
+  bool byRaster() const { return options_.switches.shade_by == ShadeBy::kRaster; }
+  // Below the pixels' rate where `plan` is.
+  void recordShading(VkCommandBuffer commands, const SamplePlan& plan, eq::vec2 jitter_px,
+                     const ShadeConstants& constants, const CoarseConstants& coarse) const;
 
   Device& device_;
   SourceInfo info_;

@@ -27,8 +27,7 @@ const uint kSamplerBinding = kShadeSamplerBinding;
 // The kind of a scene's only material; -1: several, looked up for each triangle.
 layout(constant_id = 2) const int kOnlyKind = -1;
 
-// Seen where there is no surface: a dull sky, linear.
-const vec3 kBackground = vec3(0.18, 0.24, 0.33);
+#include "lab/render/background.h"
 
 SurfacePoint surfaceAt(VisibleTriangle seen, vec2 sample_px) {
   uvec4 triangle = seen.triangle;

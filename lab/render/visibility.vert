@@ -2,31 +2,5 @@
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
-#include "lab/render/frame_data.h"
-
-layout(binding = 0, std140) uniform Frame {
-  GpuFrame frame;
-};
-layout(binding = 1, std430) readonly buffer World {
-  GpuVertex world[];
-};
-layout(binding = 2, std430) readonly buffer Indices {
-  uint indices[];
-};
-layout(push_constant) uniform Push {
-  VisibilityConstants push;
-};
-
-// The provoking vertex is a triangle's first, so that this is the triangle's number.
-layout(location = 0) flat out uint triangle;
-layout(location = 1) out vec2 uv;
-
-void main() {
-  GpuVertex vertex = world[indices[gl_VertexIndex]];
-  vec4 clip = frame.view_projection[0] * vec4(vertex.position_u.xyz, 1.0);
-  // Content moves by +jitter (reprise.h, sampling).
-  clip.xy += 2.0 * push.jitter_px / frame.extent_px * clip.w;
-  gl_Position = clip;
-  triangle = uint(gl_VertexIndex) / 3u;
-  uv = vec2(vertex.position_u.w, vertex.normal_v.w);
-}
+const uint kWorldBinding = 1u;
+#include "lab/render/visibility_vertex.glsl"

@@ -56,8 +56,8 @@ ProgramLayout& ProgramLayout::operator=(ProgramLayout&& other) noexcept {
 void ProgramLayout::push(VkCommandBuffer commands, VkPipelineBindPoint point,
                          const std::vector<Bound>& bound, const void* constants,
                          uint32_t constant_bytes) const {
-  if (bound.size() != types_.size() || constant_bytes != push_bytes_) {
-    throw DeviceError("a program was given other bindings or constants than it declares");
+  if (bound.size() != types_.size()) {
+    throw DeviceError("a program was given other bindings than it declares");
   }
   std::vector<VkWriteDescriptorSet> writes;
   for (const Bound& item : bound) {
@@ -74,9 +74,15 @@ void ProgramLayout::push(VkCommandBuffer commands, VkPipelineBindPoint point,
   }
   vkCmdPushDescriptorSetKHR(commands, point, layout_, 0, static_cast<uint32_t>(writes.size()),
                             writes.data());
-  if (push_bytes_ > 0) {
-    vkCmdPushConstants(commands, layout_, stages_, 0, push_bytes_, constants);
+  pushConstants(commands, constants, constant_bytes);
+}
+
+void ProgramLayout::pushConstants(VkCommandBuffer commands, const void* constants,
+                                  uint32_t bytes) const {
+  if (bytes != push_bytes_) {
+    throw DeviceError("a program was given other constants than it declares");
   }
+  if (bytes > 0) vkCmdPushConstants(commands, layout_, stages_, 0, bytes, constants);
 }
 
 }  // namespace reprise::lab

@@ -72,6 +72,7 @@ class ProgramLayout {
   ProgramLayout& operator=(ProgramLayout&& other) noexcept;
 
   VkPipelineLayout handle() const { return layout_; }
+  void pushConstants(VkCommandBuffer commands, const void* constants, uint32_t bytes) const;
   // Throws DeviceError when `bound` or the size of the push constants is not what was declared.
   void push(VkCommandBuffer commands, VkPipelineBindPoint point, const std::vector<Bound>& bound,
             const void* constants, uint32_t constant_bytes) const;

@@ -51,6 +51,34 @@ bool hasExtension(VkPhysicalDevice device, const char* name) {
   });
 }
 
+// Sides, above 1, of the square fragments that a pipeline may ask for at one sample a pixel. Empty
+// without VK_KHR_fragment_shading_rate, which may also be there without this feature.
+std::vector<uint32_t> squareFragments(VkPhysicalDevice device) {
+  if (!hasExtension(device, VK_KHR_FRAGMENT_SHADING_RATE_EXTENSION_NAME)) return {};
+  VkPhysicalDeviceFragmentShadingRateFeaturesKHR rates{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADING_RATE_FEATURES_KHR};
+  VkPhysicalDeviceFeatures2 features{.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FEATURES_2};
+  features.pNext = &rates;
+  vkGetPhysicalDeviceFeatures2(device, &features);
+  if (!rates.pipelineFragmentShadingRate) return {};
+  uint32_t count = 0;
+  vkGetPhysicalDeviceFragmentShadingRatesKHR(device, &count, nullptr);
+  std::vector<VkPhysicalDeviceFragmentShadingRateKHR> offered(
+      count, {.sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADING_RATE_KHR});
+  vkGetPhysicalDeviceFragmentShadingRatesKHR(device, &count, offered.data());
+  std::vector<uint32_t> sides;
+  for (const VkPhysicalDeviceFragmentShadingRateKHR& rate : offered) {
+    const VkExtent2D size = rate.fragmentSize;
+    const bool one_sample = (rate.sampleCounts & VK_SAMPLE_COUNT_1_BIT) != 0;
+    if (one_sample && size.width == size.height && size.width > 1) sides.push_back(size.width);
+  }
+  return sides;
+}
+
+bool contains(const std::vector<uint32_t>& values, uint32_t value) {
+  return std::find(values.begin(), values.end(), value) != values.end();
+}
+
 // What the lab itself needs of a device, beyond what the library asks for.
 struct Needed {
   VkPhysicalDeviceFeatures features{};
@@ -70,6 +98,7 @@ Needed neededFeatures(VkPhysicalDevice device) {
   if (!offered.shaderStorageImageWriteWithoutFormat) {
     needed.missing = "shaderStorageImageWriteWithoutFormat";
   }
+  needed.features.fragmentStoresAndAtomics = offered.fragmentStoresAndAtomics;  // raster shading
   for (const char* extension : kExtensions) {
     if (!hasExtension(device, extension)) needed.missing = extension;
   }
@@ -110,7 +139,7 @@ DeviceSummary summarize(VkPhysicalDevice device) {
                         std::to_string(VK_API_VERSION_MINOR(version));
   summary.missing = neededFeatures(device).missing;
   summary.usable = summary.missing.empty();
-  summary.shading_rate = hasExtension(device, VK_KHR_FRAGMENT_SHADING_RATE_EXTENSION_NAME);
+  summary.shading_rate = contains(squareFragments(device), 2);
   return summary;
 }
 
@@ -234,10 +263,20 @@ void Device::createDevice() {
   VkPhysicalDeviceDynamicRenderingFeaturesKHR rendering{
       .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_DYNAMIC_RENDERING_FEATURES_KHR};
   rendering.dynamicRendering = VK_TRUE;
+  fragment_stores_ = needed.features.fragmentStoresAndAtomics == VK_TRUE;
+  fragment_sizes_ = squareFragments(physical_device_);
+  VkPhysicalDeviceFragmentShadingRateFeaturesKHR rates{
+      .sType = VK_STRUCTURE_TYPE_PHYSICAL_DEVICE_FRAGMENT_SHADING_RATE_FEATURES_KHR};
+  rates.pipelineFragmentShadingRate = VK_TRUE;
+  std::vector<const char*> extensions(std::begin(kExtensions), std::end(kExtensions));
+  if (!fragment_sizes_.empty()) {
+    extensions.push_back(VK_KHR_FRAGMENT_SHADING_RATE_EXTENSION_NAME);
+    rendering.pNext = &rates;
+  }
   VkDeviceCreateInfo info{.sType = VK_STRUCTURE_TYPE_DEVICE_CREATE_INFO};
   info.pNext = &rendering;
-  info.enabledExtensionCount = static_cast<uint32_t>(std::size(kExtensions));
-  info.ppEnabledExtensionNames = kExtensions;
+  info.enabledExtensionCount = static_cast<uint32_t>(extensions.size());
+  info.ppEnabledExtensionNames = extensions.data();
   info.queueCreateInfoCount = 1;
   info.pQueueCreateInfos = &queue_info;
   info.pEnabledFeatures = &needed.features;
@@ -286,6 +325,10 @@ Device::~Device() {
     destroy(instance_, messenger_, nullptr);
   }
   vkDestroyInstance(instance_, nullptr);
+}
+
+bool Device::hasFragmentSize(uint32_t size) const {
+  return size == 1 || contains(fragment_sizes_, size);
 }
 
 void Device::submitAndWait(const std::function<void(VkCommandBuffer)>& record) {

@@ -36,7 +36,7 @@ struct DeviceSummary {
   std::string api_version;
   bool usable = false;        // meets the lab's needs
   std::string missing;        // what it lacks where it is not
-  bool shading_rate = false;  // VK_KHR_fragment_shading_rate
+  bool shading_rate = false;  // fragments of 2 x 2 pixels, by VK_KHR_fragment_shading_rate
 };
 
 class Device {
@@ -55,6 +55,10 @@ class Device {
   const std::string& name() const { return name_; }
   const std::string& driver() const { return driver_; }
   const VkPhysicalDeviceLimits& limits() const { return limits_; }
+  // Whether a fragment shader may write to buffers.
+  bool hasFragmentStores() const { return fragment_stores_; }
+  // Whether a pipeline may shade fragments of size x size pixels, at one sample a pixel.
+  bool hasFragmentSize(uint32_t size) const;
 
   // Records into the device's command buffer, submits, waits. The work of one call is complete when
   // it returns.
@@ -86,6 +90,8 @@ class Device {
   VkFence fence_ = VK_NULL_HANDLE;
   VkPhysicalDeviceMemoryProperties memory_{};
   VkPhysicalDeviceLimits limits_{};
+  bool fragment_stores_ = false;
+  std::vector<uint32_t> fragment_sizes_;  // sides of square fragments above 1
   std::string name_;
   std::string driver_;
   std::vector<std::string> validation_messages_;

@@ -49,7 +49,7 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
   VkPipelineDepthStencilStateCreateInfo depth{
       .sType = VK_STRUCTURE_TYPE_PIPELINE_DEPTH_STENCIL_STATE_CREATE_INFO};
   depth.depthTestEnable = VK_TRUE;
-  depth.depthWriteEnable = VK_TRUE;
+  depth.depthWriteEnable = info.depth_write ? VK_TRUE : VK_FALSE;
   depth.depthCompareOp = info.depth_compare;
   VkPipelineColorBlendAttachmentState attachment{};
   attachment.colorWriteMask = VK_COLOR_COMPONENT_R_BIT | VK_COLOR_COMPONENT_G_BIT |
@@ -69,6 +69,15 @@ GraphicsProgram::GraphicsProgram(Device& device, const GraphicsProgramInfo& info
   rendering.colorAttachmentCount = has_color ? 1 : 0;
   rendering.pColorAttachmentFormats = &info.color_format;
   rendering.depthAttachmentFormat = info.depth_format;
+
+  VkPipelineFragmentShadingRateStateCreateInfoKHR rate{
+      .sType = VK_STRUCTURE_TYPE_PIPELINE_FRAGMENT_SHADING_RATE_STATE_CREATE_INFO_KHR};
+  rate.fragmentSize = {info.fragment_size, info.fragment_size};
+  // The pipeline's own, whatever primitives or an attachment would say.
+  rate.combinerOps[0] = VK_FRAGMENT_SHADING_RATE_COMBINER_OP_KEEP_KHR;
+  rate.combinerOps[1] = VK_FRAGMENT_SHADING_RATE_COMBINER_OP_KEEP_KHR;
+  // Not where the extension may be missing.
+  if (info.fragment_size > 1) rendering.pNext = &rate;
 
   VkGraphicsPipelineCreateInfo pipeline{.sType = VK_STRUCTURE_TYPE_GRAPHICS_PIPELINE_CREATE_INFO};
   pipeline.pNext = &rendering;
@@ -106,8 +115,7 @@ void GraphicsProgram::bind(VkCommandBuffer commands) const {
   vkCmdBindPipeline(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, pipeline_);
 }
 
-void beginRendering(VkCommandBuffer commands, const Image* color, const Image& depth,
-                    float clear_depth) {
+void beginRendering(VkCommandBuffer commands, const RenderTargets& targets) {
   VkRenderingAttachmentInfoKHR color_info{.sType = VK_STRUCTURE_TYPE_RENDERING_ATTACHMENT_INFO_KHR};
   VkRenderingAttachmentInfoKHR depth_info = color_info;
   for (VkRenderingAttachmentInfoKHR* info : {&color_info, &depth_info}) {
@@ -115,24 +123,37 @@ void beginRendering(VkCommandBuffer commands, const Image* color, const Image& d
     info->loadOp = VK_ATTACHMENT_LOAD_OP_CLEAR;
     info->storeOp = VK_ATTACHMENT_STORE_OP_STORE;
   }
-  if (color != nullptr) color_info.imageView = color->view();
-  depth_info.imageView = depth.view();
-  depth_info.clearValue.depthStencil.depth = clear_depth;
+  if (targets.color != nullptr) color_info.imageView = targets.color->view();
+  color_info.clearValue.color = targets.clear_color;
+  depth_info.imageView = targets.depth->view();
+  if (targets.clear_depth.has_value()) {
+    depth_info.clearValue.depthStencil.depth = *targets.clear_depth;
+  } else {
+    depth_info.loadOp = VK_ATTACHMENT_LOAD_OP_LOAD;
+  }
+  const VkExtent2D extent = targets.depth->extent();
   VkRenderingInfoKHR rendering{.sType = VK_STRUCTURE_TYPE_RENDERING_INFO_KHR};
-  rendering.renderArea.extent = depth.extent();
+  rendering.renderArea.extent = extent;
   rendering.layerCount = 1;
-  rendering.colorAttachmentCount = color != nullptr ? 1 : 0;
+  rendering.colorAttachmentCount = targets.color != nullptr ? 1 : 0;
   rendering.pColorAttachments = &color_info;
   rendering.pDepthAttachment = &depth_info;
   vkCmdBeginRenderingKHR(commands, &rendering);
-  const VkViewport viewport{0.0f,
-                            0.0f,
-                            static_cast<float>(depth.extent().width),
-                            static_cast<float>(depth.extent().height),
+  const VkRect2D seen =
+      targets.viewport.extent.width > 0 ? targets.viewport : VkRect2D{{0, 0}, extent};
+  const VkViewport viewport{static_cast<float>(seen.offset.x),
+                            static_cast<float>(seen.offset.y),
+                            static_cast<float>(seen.extent.width),
+                            static_cast<float>(seen.extent.height),
                             0.0f,
                             1.0f};
   vkCmdSetViewport(commands, 0, 1, &viewport);
   vkCmdSetScissor(commands, 0, 1, &rendering.renderArea);
+}
+
+void beginRendering(VkCommandBuffer commands, const Image* color, const Image& depth,
+                    float clear_depth) {
+  beginRendering(commands, {.color = color, .depth = &depth, .clear_depth = clear_depth});
 }
 
 void endRendering(VkCommandBuffer commands) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <optional>
 #include <span>
 #include <vector>
 
@@ -18,6 +19,9 @@ struct GraphicsProgramInfo {
   VkFormat color_format = VK_FORMAT_UNDEFINED;  // UNDEFINED: depth only
   VkFormat depth_format = VK_FORMAT_D32_SFLOAT;
   VkCompareOp depth_compare = VK_COMPARE_OP_GREATER;  // reversed depth
+  bool depth_write = true;
+  // Pixels a side that a fragment is shaded for at once; above 1 where Device::hasFragmentSize.
+  uint32_t fragment_size = 1;
   VkSampleCountFlagBits samples = VK_SAMPLE_COUNT_1_BIT;
   float depth_bias_slope = 0.0f;         // added: this times the depth's slope a texel
   std::vector<uint32_t> specialization;  // constant_id i = element i, both stages
@@ -38,6 +42,11 @@ class GraphicsProgram {
             const Constants& constants) const {
     layout_.push(commands, VK_PIPELINE_BIND_POINT_GRAPHICS, bound, &constants, sizeof(Constants));
   }
+  // What was bound before stays.
+  template <typename Constants>
+  void pushConstants(VkCommandBuffer commands, const Constants& constants) const {
+    layout_.pushConstants(commands, &constants, sizeof(Constants));
+  }
 
  private:
   Device* device_ = nullptr;
@@ -45,8 +54,16 @@ class GraphicsProgram {
   VkPipeline pipeline_ = VK_NULL_HANDLE;
 };
 
-// Begins rendering to whole images, cleared: colour to 0, depth to `clear_depth`. `color` may be
-// null.
+// What is rendered to: whole images.
+struct RenderTargets {
+  const Image* color = nullptr;  // null: depth only
+  const Image* depth = nullptr;
+  VkClearColorValue clear_color{};
+  std::optional<float> clear_depth;  // none: depth is what it was
+  VkRect2D viewport{};               // {}: the whole images
+};
+void beginRendering(VkCommandBuffer commands, const RenderTargets& targets);
+// Cleared: colour to 0, depth to `clear_depth`. `color` may be null.
 void beginRendering(VkCommandBuffer commands, const Image* color, const Image& depth,
                     float clear_depth);
 void endRendering(VkCommandBuffer commands);

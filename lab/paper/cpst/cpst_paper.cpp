@@ -28,6 +28,7 @@ Paper cpstPaper() {
               {"point sets", "Figures 2 and 4: samples of shading and of visibility", pointSets},
               {"disocclusion", "Maps of the disocclusion test; filling in", disocclusion},
               {"spread", "Shading where a triangle is covered, not beside it", spread},
+              {"raster rate", "Coarse fragments beside the compute pass", rasterRate},
           }};
 }
 

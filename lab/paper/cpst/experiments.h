@@ -23,5 +23,6 @@ void figure9(PaperLab& lab, Outcome& outcome);
 void pointSets(PaperLab& lab, Outcome& outcome);
 void disocclusion(PaperLab& lab, Outcome& outcome);
 void spread(PaperLab& lab, Outcome& outcome);
+void rasterRate(PaperLab& lab, Outcome& outcome);
 
 }  // namespace reprise::lab::cpst

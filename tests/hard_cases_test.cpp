@@ -86,7 +86,7 @@ std::vector<HardCase> hardCases() {
       {.name = "highlights of 60, 0.7 px, panning",
        .color = highlights,
        .velocity_px = {0.37f, 0.21f},
-       .below_taa_db = 0.7},
+       .below_taa_db = 0.0},
       {.name = "shadow's edge over a still floor", .color = shadow},
       {.name = "shadow's edge over a panning floor", .color = shadow, .velocity_px = {0.4f, 0.3f}},
       {.name = "light that swings by half", .color = light},

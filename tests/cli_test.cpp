@@ -41,6 +41,22 @@ TEST_F(Cli, ListShowsEverythingAndItsJsonIsOneDocument) {
   EXPECT_NE(reprise("list taa").out.find("from: "), std::string::npos);
 }
 
+TEST_F(Cli, CoarseFragmentsNeedADeviceThatHasThem) {
+  const auto devices = nlohmann::json::parse(reprise("list --json").out)["devices"];
+  const Ran ran = reprise(
+      "compare brick/still -t cps --shade-by raster --device 0 --size 32x32 --frames 1 --samples 2 "
+      "-o out");
+  if (devices[0]["fragment_shading_rate"].get<bool>()) {
+    EXPECT_EQ(ran.code, 0) << ran.error;
+    return;
+  }
+  EXPECT_EQ(ran.code, 4);
+  EXPECT_NE(ran.error.find("has no VK_KHR_fragment_shading_rate with 2 x 2"), std::string::npos)
+      << ran.error;
+  // Before references are rendered.
+  EXPECT_EQ(ran.error.find("reference"), std::string::npos) << ran.error;
+}
+
 TEST_F(Cli, EveryVerbHasHelpWithAnExample) {
   for (const char* verb : {"list", "render", "filter", "compare", "bench", "paper", "tune"}) {
     const Ran ran = reprise(std::string(verb) + " --help");

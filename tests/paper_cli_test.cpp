@@ -90,7 +90,7 @@ TEST_F(PaperCommand, CoarsePixelShading) {
   ::unsetenv("REPRISE_DATA");
   const Ran ran =
       reprise(std::string("paper cpst -o out --item evaluations --item 'table 2' --item "
-                          "'point sets'") +
+                          "'point sets' --item 'raster rate'") +
               kTiny);
   ASSERT_EQ(ran.code, 0) << ran.error;
   EXPECT_NE(ran.out.find("lights/dolly stands for it"), std::string::npos) << ran.out;
@@ -108,6 +108,9 @@ TEST_F(PaperCommand, CoarsePixelShading) {
   // Each Halton sequence spoils one of the two sets.
   EXPECT_EQ(rows.at("point sets: void and cluster over Halton, shading")["holds"], true);
   EXPECT_EQ(rows.at("point sets: void and cluster over 2x Halton, visibility")["holds"], true);
+  for (const char* row : {"largest difference", "evaluations of raster over compute"}) {
+    EXPECT_EQ(rows.at(std::string("raster rate: Sponza, full rate, ") + row)["holds"], true);
+  }
 }
 
 TEST_F(PaperCommand, WrongUsageIsTwo) {

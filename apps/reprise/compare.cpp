@@ -203,7 +203,8 @@ int compare(const Globals& globals, const CompareFlags& flags) {
     };
     // Fails for techniques that cannot work on this source before anything long begins.
     for (const lab::TechniqueChoice& choice : choices) {
-      lab::Resolver(*device, choice, sourceOf(choice).info(), info.extent);
+      lab::Resolver resolver(*device, choice, sourceOf(choice).info(), info.extent);
+      sourceOf(choice).prepare(resolver.plan(0));
     }
     const lab::SequenceTruth truth = readTruth(*device, *source, frames, flags.post, globals.quiet);
     lab::onWorkers(truth.frames.size(), [&](size_t i) {

@@ -56,16 +56,6 @@ float rateBias(const SamplePlan& plan) {
   return std::log2(static_cast<float>(plan.library.coarse_size));
 }
 
-CoarseConstants coarseConstants(const SamplePlan& plan, const ShadeConstants& constants) {
-  const RepriseSamplePlan& sampling = plan.library;
-  return {.jitter_px = constants.unjitter != 0 ? glm::vec2(0.0f) : constants.jitter_px,
-          .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
-          .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
-          .checkerboard = sampling.checkerboard,
-          .light_layers = constants.light_layers,
-          .shade_covered = sampling.coarse_covered};
-}
-
 // Pixels a side that a fragment is shaded for.
 uint32_t fragmentSize(const SamplePlan& plan) {
   return belowPixelRate(plan) ? coarseSize(plan.library) : 1;
@@ -121,8 +111,8 @@ void SceneSource::prepare(const SamplePlan& plan) {
       throw std::invalid_argument("--shade-by raster cannot shade " + lacking);
     }
     renderer_.prepareRaster(fragmentSize(plan));
-  } else if (belowPixelRate(plan)) {
-    renderer_.prepareCoarse(coarseSize(plan.library));
+  } else {
+    prepareCompute(plan);
   }
   if (plan.request) renderer_.prepareServe();
   if (plan.library.motion_back != 0) renderer_.prepareMotionBack();
@@ -141,17 +131,8 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   const eq::vec2 shading_px(sampling.jitter_px[0], sampling.jitter_px[1]);
   const bool shading_only = options_.switches.shading_only;
   const eq::vec2 jitter_px = shading_only ? eq::vec2(0.0f, 0.0f) : shading_px;
-  // With a grid of samples there is nothing to amortize, and nothing to defer.
   const bool defer = options_.switches.defer_lights && plan.grid <= 1;
-  const uint32_t amortized_layers = defer ? kLightLayerMain : kAllLightLayers;
-  const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
-  const ShadeConstants constants{.jitter_px = {shading_px.x, shading_px.y},
-                                 .unjitter = options_.switches.unjitter_textures ? 1u : 0u,
-                                 .offset_on = offset && plan.grid == 1 ? 1u : 0u,
-                                 .offset_sigma_px = sampling.shading_offset_sigma_px,
-                                 .offset_seed = sampling.shading_offset_seed,
-                                 .offset_quadrant = sampling.shading_offset_quadrant,
-                                 .light_layers = amortized_layers};
+  const ShadeConstants constants = shadeConstants(plan);
   span("transform", [&] { renderer_.recordTransform(commands, 1); });
   if (renderer_.hasShadows()) span("shadows", [&] { renderer_.recordShadows(commands); });
   const std::vector<eq::vec2> jitters_px =
@@ -164,7 +145,7 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
          [&] { renderer_.recordMean(commands, 1.0f / static_cast<float>(jitters_px.size())); });
   }
   // Depth and motion are those of the frame's one position also where colour has many.
-  const CoarseConstants coarse = coarseConstants(plan, constants);
+  const CoarseConstants coarse = coarseConstants(plan);
   const VkOffset2D shift_px =
       byRaster() ? RasterShading::shiftOf(coarse, fragmentSize(plan)) : VkOffset2D{0, 0};
   span("visibility", [&] { renderer_.recordVisibility(commands, jitter_px, shift_px); });
@@ -195,11 +176,18 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   }
   if (plan.grid <= 1 && plan.request) {
     const RepriseSampleRequests requests = plan.request(commands, inputs);
-    span("serve", [&] { renderer_.recordServe(commands, requests.buffer, amortized_layers); });
+    span("serve",
+         [&] { renderer_.recordServe(commands, requests.buffer, constants.light_layers); });
     inputs.extra = &renderer_.extra();
   }
   if (!many) {
-    span("shade", [&] { recordShading(commands, plan, jitter_px, constants, coarse); });
+    span("shade", [&] {
+      if (byRaster()) {
+        renderer_.recordRaster(commands, {jitter_px, constants, fragmentSize(plan), coarse});
+      } else {
+        shadeByCompute(commands, plan);
+      }
+    });
   }
   if (belowPixelRate(plan)) {
     inputs.coarse_size = sampling.coarse_size;
@@ -216,15 +204,41 @@ FrameInputs SceneSource::frame(VkCommandBuffer commands, uint32_t index, const S
   return inputs;
 }
 
-void SceneSource::recordShading(VkCommandBuffer commands, const SamplePlan& plan,
-                                eq::vec2 jitter_px, const ShadeConstants& constants,
-                                const CoarseConstants& coarse) const {
-  if (byRaster()) {
-    renderer_.recordRaster(commands, {jitter_px, constants, fragmentSize(plan), coarse});
-  } else if (belowPixelRate(plan)) {
-    renderer_.recordCoarse(commands, coarseSize(plan.library), coarse);
+ShadeConstants SceneSource::shadeConstants(const SamplePlan& plan) const {
+  const RepriseSamplePlan& sampling = plan.library;
+  const RenderSwitches& switches = options_.switches;
+  const bool offset = sampling.shading_offset == REPRISE_SHADING_OFFSET_HASH_GAUSSIAN;
+  // With a grid of samples there is nothing to amortize, and nothing to defer.
+  const bool defer = switches.defer_lights && plan.grid <= 1;
+  return {.jitter_px = {sampling.jitter_px[0], sampling.jitter_px[1]},
+          .unjitter = switches.unjitter_textures ? 1u : 0u,
+          .offset_on = offset && plan.grid == 1 ? 1u : 0u,
+          .offset_sigma_px = sampling.shading_offset_sigma_px,
+          .offset_seed = sampling.shading_offset_seed,
+          .offset_quadrant = sampling.shading_offset_quadrant,
+          .light_layers = defer ? kLightLayerMain : kAllLightLayers};
+}
+
+CoarseConstants SceneSource::coarseConstants(const SamplePlan& plan) const {
+  const RepriseSamplePlan& sampling = plan.library;
+  const ShadeConstants shade = shadeConstants(plan);
+  return {.jitter_px = shade.unjitter != 0 ? glm::vec2(0.0f) : shade.jitter_px,
+          .origin_x_px = static_cast<uint32_t>(sampling.coarse_origin_px[0]),
+          .origin_y_px = static_cast<uint32_t>(sampling.coarse_origin_px[1]),
+          .checkerboard = sampling.checkerboard,
+          .light_layers = shade.light_layers,
+          .shade_covered = sampling.coarse_covered};
+}
+
+void SceneSource::prepareCompute(const SamplePlan& plan) {
+  if (belowPixelRate(plan)) renderer_.prepareCoarse(coarseSize(plan.library));
+}
+
+void SceneSource::shadeByCompute(VkCommandBuffer commands, const SamplePlan& plan) const {
+  if (belowPixelRate(plan)) {
+    renderer_.recordCoarse(commands, coarseSize(plan.library), coarseConstants(plan));
   } else {
-    renderer_.recordShade(commands, constants);
+    renderer_.recordShade(commands, shadeConstants(plan));
   }
 }
 

@@ -31,14 +31,18 @@ class SceneSource final : public FrameSource {
   void setTimestamps(Timestamps* timestamps) override { timestamps_ = timestamps; }
   uint64_t takeEvaluations() override { return renderer_.takeEvaluations(); }
 
+  // With ShadeBy::kRaster, after frame() of this plan: shades that frame's visibility by compute,
+  // to be compared.
+  void prepareCompute(const SamplePlan& plan);
+  void shadeByCompute(VkCommandBuffer commands, const SamplePlan& plan) const;
+
   Renderer& renderer() { return renderer_; }
   ReferenceStore& references() { return references_; }
 
  private:
   bool byRaster() const { return options_.switches.shade_by == ShadeBy::kRaster; }
-  // Below the pixels' rate where `plan` is.
-  void recordShading(VkCommandBuffer commands, const SamplePlan& plan, eq::vec2 jitter_px,
-                     const ShadeConstants& constants, const CoarseConstants& coarse) const;
+  ShadeConstants shadeConstants(const SamplePlan& plan) const;
+  CoarseConstants coarseConstants(const SamplePlan& plan) const;
 
   Device& device_;
   SourceInfo info_;

@@ -6,7 +6,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <memory>
 
 #include "lab/metrics/display_space.h"
 #include "lab/metrics/psnr.h"
@@ -22,40 +21,27 @@ constexpr uint32_t kFrames = 4;  // in which the coarse grid takes all of its pl
 // A display of 8 bits shows no difference below this, of its white.
 constexpr double kInvisible = 0.5 / 255.0;
 
-std::unique_ptr<SceneSource> sourceBy(ShadeBy shade_by, Device& device, const Subject& subject,
-                                      VkExtent2D extent) {
-  SceneSourceOptions options;
-  options.extent = extent;
-  options.frames = kFrames;
-  options.switches.shade_by = shade_by;
-  options.switches.lamps = subject.lamps;
-  options.reference.cache = "none";
-  return std::make_unique<SceneSource>(device, parseSceneRun(subject.run), options);
-}
-
 struct Shaded {
   FloatImage image;  // display values
   uint64_t evaluations;
 };
 
-Shaded shade(Device& device, SceneSource& source, const SamplePlan& plan, uint32_t index) {
-  throwIfInterrupted();
-  source.prepare(plan);
-  source.takeEvaluations();
-  FrameInputs inputs;
-  device.submitAndWait(
-      [&](VkCommandBuffer commands) { inputs = source.frame(commands, index, plan); });
-  FloatImage image = displayImage(download(device, *inputs.color));
+Shaded shaded(Device& device, SceneSource& source) {
+  FloatImage image = displayImage(download(device, source.renderer().color()));
   return {std::move(image), source.takeEvaluations()};
 }
 
-// Frames of `technique`'s plans, shaded by both.
+// Frames of `technique`'s plans, shaded by both, off one visibility.
 void compareBoth(PaperLab& lab, Device& device, const Subject& subject, const std::string& rate,
                  const std::string& technique, Outcome& outcome) {
-  const VkExtent2D extent = lab.scale().extent;
-  const auto compute = sourceBy(ShadeBy::kCompute, device, subject, extent);
-  const auto raster = sourceBy(ShadeBy::kRaster, device, subject, extent);
-  Resolver resolver(device, parseTechnique(technique), compute->info());
+  SceneSourceOptions options;
+  options.extent = lab.scale().extent;
+  options.frames = kFrames;
+  options.switches.shade_by = ShadeBy::kRaster;
+  options.switches.lamps = subject.lamps;
+  options.reference.cache = "none";
+  SceneSource source(device, parseSceneRun(subject.run), options);
+  Resolver resolver(device, parseTechnique(technique), source.info());
   Progress progress(fmt::format("{} by compute and raster, {}", subject.name, rate), kFrames,
                     lab.quiet());
   double squared_error = 0.0;
@@ -65,14 +51,21 @@ void compareBoth(PaperLab& lab, Device& device, const Subject& subject, const st
   for (uint32_t index = 0; index < kFrames; ++index) {
     SamplePlan plan = resolver.plan(index);
     plan.request = {};
-    const Shaded a = shade(device, *compute, plan, index);
-    const Shaded b = shade(device, *raster, plan, index);
-    squared_error += meanSquaredError(a.image, b.image) / kFrames;
-    for (size_t i = 0; i < a.image.texels.size(); ++i) {
-      most = std::max(most, std::abs(static_cast<double>(a.image.texels[i]) - b.image.texels[i]));
+    throwIfInterrupted();
+    source.prepare(plan);
+    source.prepareCompute(plan);
+    source.takeEvaluations();
+    device.submitAndWait([&](VkCommandBuffer commands) { source.frame(commands, index, plan); });
+    const Shaded raster = shaded(device, source);
+    device.submitAndWait([&](VkCommandBuffer commands) { source.shadeByCompute(commands, plan); });
+    const Shaded compute = shaded(device, source);
+    squared_error += meanSquaredError(compute.image, raster.image) / kFrames;
+    for (size_t i = 0; i < compute.image.texels.size(); ++i) {
+      most = std::max(
+          most, std::abs(static_cast<double>(compute.image.texels[i]) - raster.image.texels[i]));
     }
-    by_compute += static_cast<double>(a.evaluations);
-    by_raster += static_cast<double>(b.evaluations);
+    by_compute += static_cast<double>(compute.evaluations);
+    by_raster += static_cast<double>(raster.evaluations);
     progress.step();
   }
   const std::string row = fmt::format("{}, {}", subject.name, rate);

@@ -10,9 +10,10 @@ EQ_BEGIN
 // Centre (px), along an axis, of the coarse pixel of `size` pixels that holds pixel `px`; coarse
 // pixels begin at `origin_px`, 0 <= origin_px < size.
 EQ_FN float coarseCentre(int px, int size, int origin_px) {
-  // Kept positive, since division rounds towards 0.
-  int block = (px - origin_px + size) / size - 1;
-  return float(block * size + origin_px) + 0.5f * float(size);
+  // In floats, since CPU drivers divide integers lane by lane. Half a pixel in, so that no rounding
+  // of the division reaches a border.
+  float block = floor((float(px - origin_px) + 0.5f) / float(size));
+  return (block + 0.5f) * float(size) + float(origin_px);
 }
 
 // Weight of a new sample in a mean that holds samples of the summed weight `held`. With held =

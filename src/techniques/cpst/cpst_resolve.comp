@@ -105,34 +105,9 @@ vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
-// Eight points two pixels around (eq. 4), where `wanted`.
-bool atSilhouette(ivec2 px, ivec2 last_px, bool wanted) {
-  vec2 own_px = motionAt(px);
-  vec2 front_px = own_px;
-  float longest_px = length(own_px);
-  float order = k.frame.depth_order;
-  float nearest = 3.0e38;
-  int count = wanted ? 9 : 1;
-  int i = 0;
-  do {
-    ivec2 at = clamp(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
-    vec2 motion_px = motionAt(at);
-    longest_px = max(longest_px, length(motion_px));
-    float depth = depthAt(at, last_px) * order;
-    // The middle is no one of the eight.
-    if (depth < nearest && i != 4) {
-      nearest = depth;
-      front_px = motion_px;
-    }
-    ++i;
-  } while (i < count);
-  return wanted && isSilhouette(own_px, front_px, longest_px, k.silhouette_share);
-}
-
-// Whether a silhouette (eq. 4) can be here at all. The points of that equation lie in the four
-// texels around, and no two motions there differ by more than the boxes' diagonal, nor is one
-// shorter than the way from 0 to the boxes.
-bool motionVaries(vec2 center_px) {
+// The motions of the four texels around, in which the points of equation (4) lie: xy: low, zw:
+// high.
+vec4 motionBox(vec2 center_px) {
   ivec2 base = ivec2(floor(center_px / float(kMomentSize) - 0.5));
   ivec2 last = (ivec2(k.frame.extent_px) - 1) / int(kMomentSize);
   vec4 box = texelFetch(motion_box_image, clamp(base, ivec2(0), last), 0);
@@ -141,9 +116,74 @@ bool motionVaries(vec2 center_px) {
     vec4 other = texelFetch(motion_box_image, texel, 0);
     box = vec4(min(box.xy, other.xy), max(box.zw, other.zw));
   }
+  return box;
+}
+
+// Rounding of lengths must not hide what is just beyond the share.
+const float kBoxRounding = 0.001;
+
+// Whether a silhouette (eq. 4) can be in a box at all: no two motions in it differ by more than its
+// diagonal, nor is one shorter than the way from 0 to it.
+bool motionVaries(vec4 box) {
   float shortest_px = length(max(max(box.xy, -box.zw), vec2(0.0)));
-  // Rounding of lengths must not hide what is just beyond the share.
-  return length(box.zw - box.xy) > 0.999 * k.silhouette_share * shortest_px;
+  return length(box.zw - box.xy) > (1.0 - kBoxRounding) * k.silhouette_share * shortest_px;
+}
+
+// One of eight points two pixels around.
+ivec2 pointAround(ivec2 px, int i, ivec2 last_px) {
+  int of_nine = i < 4 ? i : i + 1;
+  return clamp(px + 2 * ivec2(of_nine % 3 - 1, of_nine / 3 - 1), ivec2(0), last_px);
+}
+
+// Equation (4), where `wanted`. `box` holds all motions around.
+bool atSilhouette(ivec2 px, ivec2 last_px, vec4 box, bool wanted) {
+  float order = k.frame.depth_order;
+  float nearest = 3.0e38;
+  ivec2 front_px = px;
+  int count = wanted ? 8 : 1;
+  int i = 0;
+  do {
+    ivec2 at = pointAround(px, i, last_px);
+    float depth = depthAt(at, last_px) * order;
+    if (depth < nearest) {
+      nearest = depth;
+      front_px = at;
+    }
+    ++i;
+  } while (i < count);
+
+  vec2 own = motionAt(px);
+  vec2 front = motionAt(front_px);
+  float longest_px = max(length(own), length(front));
+  // All of the box are shorter than this.
+  float bound_px = (1.0 + kBoxRounding) * length(max(abs(box.xy), abs(box.zw)));
+  bool certain = isSilhouette(own, front, bound_px, k.silhouette_share);
+  // A longer motion can only make none of one: few pixels need to look for it.
+  bool open = wanted && !certain && isSilhouette(own, front, longest_px, k.silhouette_share);
+  count = open ? 8 : 1;
+  i = 0;
+  do {
+    longest_px = max(longest_px, length(motionAt(pointAround(px, i, last_px))));
+    ++i;
+  } while (i < count);
+  return wanted && (certain || (open && isSilhouette(own, front, longest_px, k.silhouette_share)));
+}
+
+// Moments of 3 x 3 pixels, where `wanted`. Not of samples fetched beforehand: these would be live
+// through all that comes between, and CPU drivers have no registers for them.
+Moments fineMoments(ivec2 px, ivec2 last_px, bool wanted) {
+  vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  int count = wanted ? 9 : 1;
+  int i = 0;
+  do {
+    vec3 c = yCoCgFromRgb(fetchColor(color_image, px + ivec2(i % 3 - 1, i / 3 - 1), last_px));
+    sum += c;
+    sum_of_squares += c * c;
+    ++i;
+  } while (i < count);
+  vec3 mean = sum * (1.0 / 9.0);
+  return Moments(mean, deviationFromMoments(mean, sum_of_squares * (1.0 / 9.0)));
 }
 
 // Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
@@ -201,11 +241,7 @@ void main() {
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
   if (any(greaterThan(px, last_px))) return;
   vec2 center_px = vec2(px) + 0.5;
-  vec3 samples[9];
-  for (int i = 0; i < 9; ++i) {
-    samples[i] = yCoCgFromRgb(fetchColor(color_image, px + ivec2(i % 3 - 1, i / 3 - 1), last_px));
-  }
-  vec3 current = samples[4];
+  vec3 current = yCoCgFromRgb(fetchColor(color_image, px, last_px));
   float weight = shadingWeight(px, center_px);
 
   float front;
@@ -262,14 +298,11 @@ void main() {
     bool fine = kVariance == kVarianceFine || disoccluded;
     if (kVariance == kVarianceCoarse) fine = false;
     if (kVariance == kVarianceDynamic) {
-      fine = fine || atSilhouette(px, last_px, !fine && motionVaries(center_px));
+      vec4 box = motionBox(center_px);
+      fine = fine || atSilhouette(px, last_px, box, !fine && motionVaries(box));
     }
-    Moments m;
-    if (fine) {
-      m = moments(samples);
-    } else {
-      m = coarseMoments(center_px);
-    }
+    Moments m = fineMoments(px, last_px, fine);
+    if (!fine) m = coarseMoments(center_px);
     float gamma = still ? k.gamma_still : k.gamma;
     vec3 middle = kAbout == kAboutOwn ? current : m.mean;
     vec3 reach = gamma * m.deviation + boundSlack(previous, current);

@@ -66,7 +66,8 @@ const float kSmallestOutside = 1.0e-6;
 // `chart/still`). Changes do not flip.
 const float kFlips = 1.0;
 // In motion what silhouettes leave flips a little too: only flips beyond `kChanceFlips` count, for
-// more (2.5 dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses).
+// more (2.5 dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses). The
+// threshold falls as the output's extent grows (0.1 dB on `horse/gallop` at twice the extent).
 const float kMovingFlips = 4.0;
 const float kChanceFlips = 0.07;
 // Flips' upper fifth, which steps toward each frame's flip: what passes by flips once or twice too,
@@ -212,7 +213,8 @@ void main() {
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
-  float flipping = still ? kFlips * then.w : kMovingFlips * max(0.0, then.w - kChanceFlips);
+  float chance = kChanceFlips * inversesqrt(ratio.x * ratio.y);
+  float flipping = still ? kFlips * then.w : kMovingFlips * max(0.0, then.w - chance);
   flipping *= (1.0 - changed) * known;
   flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;

@@ -46,7 +46,13 @@ const float kNoiseMemory = 0.5;
 const float kSpatialShare = 0.3;
 
 // Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
-const float kAloneSamples = 1.0;
+const float kAloneSamples = 2.0;
+
+// Standard deviation over mean luma of 3x3 up to which content is faint, and history bounded
+// loosely (eq. 10).
+const float kFaint = 0.1;
+// Motions of neighbours that differ by this much belong to surfaces that move apart (px a frame).
+const float kApart_px = 2.0;
 
 // What a frame adds to the samples held by the four texels of a pixel, together.
 const float kFrameWeight = 2.0;
@@ -75,6 +81,17 @@ const float kChanceFlips = 0.07;
 const float kFlipRise = 0.05;
 const float kFlipFall = 0.0125;
 
+// 1: neighbours' motion is so different from the pixel's that what they mixed is no more (eq. 10).
+float movingApart(ivec2 px, vec2 motion_px, ivec2 last_px) {
+  float square = 0.0;
+  for (int i = 1; i < 5; ++i) {
+    ivec2 at_px = clamp(px + kCross[i], ivec2(0), last_px);
+    vec2 apart_px = motionPx(k.frame, texelFetch(motion_image, at_px, 0).xy) - motion_px;
+    square = max(square, dot(apart_px, apart_px));
+  }
+  return smoothstep(0.5 * kApart_px, kApart_px, sqrt(square));
+}
+
 // Residuals of 3x3 about the prediction after `gain`, relative to the larger of both lumas (eq. 7).
 struct Pooled {
   float mean;
@@ -82,6 +99,10 @@ struct Pooled {
   float luma;
   float count;
 };
+
+// Bright samples weigh less, as if they were seen: one small highlight among samples would else be
+// most of their mean, and flicker (Karis 2014, whose factor of luma is 1).
+const float kTone = 0.1;
 
 // Of the sample for the four texels of the output's pixel (eq. 11); `offset_px` from its centre.
 vec4 texelWeights(vec2 offset_px, float held) {
@@ -212,6 +233,12 @@ void main() {
   }
   Moments m = moments(samples);
   float half_size = mix(still ? k.bound_still : k.bound, k.bound_changed, changed);
+  if (!still) {
+    float relative = m.deviation.x / ((m.mean.x + kDarkest) * kFaint);
+    float faint = 1.0 / (1.0 + relative * relative * relative * relative);
+    half_size = mix(half_size, mix(k.bound_faint, k.bound_changed, changed), faint);
+    half_size = mix(half_size, k.bound_changed, movingApart(px, motion_px, last_px));
+  }
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
   float chance = kChanceFlips * inversesqrt(ratio.x * ratio.y);
   float flipping = still ? kFlips * then.w : kMovingFlips * max(0.0, then.w - chance);
@@ -226,6 +253,9 @@ void main() {
     vec3 smoothed = rgbFromYCoCg(smoothedAt(samples, sample_px / ratio));
     current = mix(current, max(smoothed, vec3(0.0)), alone);
   }
+  // At rest the mean is to be that of light.
+  float tone = still ? 0.0 : kTone;
+  float brightness = 1.0 + tone * lumaYCoCg(current);
   vec4 texel_weight = texelWeights(sample_px, held);
   vec3 shown = vec3(0.0);
   for (int j = 0; j < 4; ++j) {
@@ -240,7 +270,8 @@ void main() {
     count *= 1.0 - k.forget_clipped * clamp(clipped, 0.0, 1.0);
     count *= 1.0 - k.forget_changed * believed;
     float w = texel_weight[j];
-    vec3 value = mix(max(rgbFromYCoCg(bounded), vec3(0.0)), current, w / (count + w));
+    float toned = texel_weight[j] * (1.0 + tone * max(bounded.x, 0.0)) / brightness;
+    vec3 value = mix(max(rgbFromYCoCg(bounded), vec3(0.0)), current, toned / (count + toned));
     shown += 0.25 * value;
     ivec2 texel = 2 * output_px + ivec2(j & 1, j >> 1);
     vec3 stored = roundedToHalf(min(value, vec3(kMaxColor)), texel, k.frame.frame_number, true);

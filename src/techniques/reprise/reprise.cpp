@@ -71,6 +71,7 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.history = s.real(kHistory);
   constants.still_history = s.real(kStillHistory);
   constants.bound = s.real(kBound) * doubt;
+  constants.bound_faint = s.real(kBoundFaint) * doubt;
   constants.bound_changed = s.real(kBoundChanged);
   constants.bound_still = s.real(kBoundStill);
   constants.forget_clipped = s.real(kForgetClipped);

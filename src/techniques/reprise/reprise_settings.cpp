@@ -27,6 +27,9 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "half-size of the bound of history without evidence of change; wider keeps more "
                   "history and more ghosts",
                   "experiment: README.md"),
+    numberSetting(kBoundFaint, "bound_faint", 40.0, 0.0, 1000.0, "standard deviations",
+                  "the same where content is faint: texture of little contrast that aliases",
+                  "experiment: README.md"),
     numberSetting(kBoundChanged, "bound_changed", 1.0, 0.0, 1000.0, "standard deviations",
                   "the same with full evidence", "Salvi 2016: 0.75 to 1.25"),
     numberSetting(kBoundStill, "bound_still", 8.0, 0.0, 1000.0, "standard deviations",

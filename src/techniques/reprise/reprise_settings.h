@@ -13,6 +13,7 @@ enum Setting : uint32_t {
   kSharpness,
   kDepthTolerance,
   kBound,
+  kBoundFaint,
   kBoundChanged,
   kBoundStill,
   kBoundUncovered,

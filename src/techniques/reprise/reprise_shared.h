@@ -32,6 +32,7 @@ struct RepriseConstants {
   float history;  // samples a texel's mean goes on to in motion
   float still_history;
   float bound;           // half-size of the bound in standard deviations, without evidence
+  float bound_faint;     // where content is faint, without evidence
   float bound_changed;   // with full evidence
   float bound_still;     // at rest without evidence
   float forget_clipped;  // share of the count that a fully clipped texel loses
@@ -44,7 +45,6 @@ struct RepriseConstants {
   float far_frames;  // that history's farthest depth is kept for after it was last seen
   float unused_0;
   float unused_1;
-  float unused_2;
 };
 
 #ifdef __cplusplus

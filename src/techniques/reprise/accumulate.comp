@@ -50,7 +50,7 @@ const float kAloneSamples = 2.0;
 
 // Standard deviation over mean luma of 3x3 up to which content is faint, and history bounded
 // loosely (eq. 10).
-const float kFaint = 0.1;
+const float kFaint = 0.05;
 // Motions of neighbours that differ by this much belong to surfaces that move apart (px a frame).
 const float kApart_px = 2.0;
 
@@ -75,7 +75,7 @@ const float kFlips = 1.0;
 // more (2.5 dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses). The
 // threshold falls as the output's extent grows (0.1 dB on `horse/gallop` at twice the extent).
 const float kMovingFlips = 4.0;
-const float kChanceFlips = 0.07;
+const float kChanceFlips = 0.1;
 // Flips' upper fifth, which steps toward each frame's flip: what passes by flips once or twice too,
 // and one great flip must count no more than a small one.
 const float kFlipRise = 0.05;
@@ -240,7 +240,7 @@ void main() {
     half_size = mix(half_size, k.bound_changed, movingApart(px, motion_px, last_px));
   }
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
-  float chance = kChanceFlips * inversesqrt(ratio.x * ratio.y);
+  float chance = kChanceFlips * pow(ratio.x * ratio.y, -0.75);
   float flipping = still ? kFlips * then.w : kMovingFlips * max(0.0, then.w - chance);
   flipping *= (1.0 - changed) * known;
   flipping *= pooled.luma * per + kDarkest;

@@ -40,11 +40,12 @@ class Robust : public testing::TestWithParam<std::string> {
 
 struct Spread {
   const char* name;
-  float velocity_px;  // in x and y
-  float swing;        // of the light, which no motion vector follows
-  int reach_px;       // 3x3 neighbourhoods and bicubic taps: once, or in each frame anew
-  uint32_t seen_px;   // from the left and the top on nothing is newly seen
-  float pool_slack;   // of what pools light
+  float velocity_px;     // in x and y
+  float swing;           // of the light, which no motion vector follows
+  int reach_px;          // 3x3 neighbourhoods and bicubic taps: once, or in each frame anew
+  uint32_t seen_px;      // from the left and the top on nothing is newly seen
+  float pool_slack;      // of what pools light
+  float evidence_slack;  // of what pools evidence alone
 };
 
 // Largest differences of a channel, by whether the pixel is within the reach.
@@ -75,13 +76,17 @@ TEST_P(Robust, ANoNumberDoesNotSpread) {
   constexpr uint32_t kFrames = 12;
   constexpr uint32_t kBadFrame = 3;
   // The gain of light is a mean over 40 px that has a sample less to go by: 0.0013 was measured.
-  // The slack is half a step of a display.
+  // The slack is half a step of a display. Evidence of change is pooled over 3x3 of the prediction
+  // and walks a pixel a frame, ever weaker: 1.7e-5 was measured 5 px away after 8 frames.
   const bool pools_light = GetParam() == "reprise";
-  const Spread spreads[] = {{"still", 0.0f, 0.0f, 4, 0, 0.0f},
-                            {"light swings", 0.0f, 0.5f, 4, 0, 2.0e-3f},
-                            {"light swings over a pan", 0.4f, 0.5f, 12, 8, 2.0e-3f}};
+  const Spread spreads[] = {{"still", 0.0f, 0.0f, 4, 0, 0.0f, 0.0f},
+                            {"light swings", 0.0f, 0.5f, 4, 0, 2.0e-3f, 1.0e-4f},
+                            {"light swings over a pan", 0.4f, 0.5f, 12, 8, 2.0e-3f, 1.0e-4f}};
+  const bool pools_evidence = GetParam().rfind("reprise", 0) == 0;
   for (const Spread& spread : spreads) {
     SCOPED_TRACE(spread.name);
+    const float slack =
+        pools_light ? spread.pool_slack : (pools_evidence ? spread.evidence_slack : 0.0f);
     const auto resolved = [&](uint32_t frame, const float* bad, Resolver& r) {
       Formula formula;
       formula.color = waves;
@@ -107,8 +112,7 @@ TEST_P(Robust, ANoNumberDoesNotSpread) {
         const FloatImage image = resolved(frame, &bad, dirty);
         ASSERT_TRUE(allFinite(image)) << bad << " in frame " << frame;
         const Difference largest = largestDifference(image, expected[frame], spread, kX, kY);
-        ASSERT_LE(largest.far, pools_light ? spread.pool_slack : 0.0f)
-            << bad << " in frame " << frame;
+        ASSERT_LE(largest.far, slack) << bad << " in frame " << frame;
         // What history foretold is shown in its place; black would differ by 0.5.
         if (pools_light && !std::isfinite(bad)) {
           ASSERT_LE(largest.near, 0.1f) << frame;

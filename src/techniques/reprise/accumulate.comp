@@ -67,14 +67,13 @@ const float kLentWidth = 0.5;
 // Squared: less than this is a rounding error of samples on the pixel's edge.
 const float kSmallestOutside = 1.0e-6;
 
-// The bound's half-size is at least as many of a pixel's flips, the least of two residuals in a row
-// of different signs: where content aliases to one colour, 3x3 of a frame have no spread (5 dB on
-// `chart/still`). Changes do not flip.
-const float kFlips = 1.0;
-// In motion what silhouettes leave flips a little too: only flips beyond `kChanceFlips` count, for
-// more (2.5 dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses). The
-// threshold falls as the output's extent grows (0.1 dB on `horse/gallop` at twice the extent).
-const float kMovingFlips = 4.0;
+// `flips`: the bound's half-size is at least as many of a pixel's flips, the least of two residuals
+// in a row of different signs: where content aliases to one colour, 3x3 of a frame have no spread
+// (5 dB on `chart/still`). Changes do not flip. At rest a quarter of it is enough.
+const float kFlipsAtRest = 0.25;
+// In motion what silhouettes leave flips a little too: only flips beyond `kChanceFlips` count (2.3
+// dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses). The threshold
+// falls as the output's extent grows (0.1 dB on `horse/gallop` at twice the extent).
 const float kChanceFlips = 0.1;
 // Flips' upper fifth, which steps toward each frame's flip: what passes by flips once or twice too,
 // and one great flip must count no more than a small one.
@@ -99,10 +98,6 @@ struct Pooled {
   float luma;
   float count;
 };
-
-// Bright samples weigh less, as if they were seen: one small highlight among samples would else be
-// most of their mean, and flicker (Karis 2014, whose factor of luma is 1).
-const float kTone = 0.1;
 
 // Of the sample for the four texels of the output's pixel (eq. 11); `offset_px` from its centre.
 vec4 texelWeights(vec2 offset_px, float held) {
@@ -237,11 +232,11 @@ void main() {
     float relative = m.deviation.x / ((m.mean.x + kDarkest) * kFaint);
     float faint = 1.0 / (1.0 + relative * relative * relative * relative);
     half_size = mix(half_size, mix(k.bound_faint, k.bound_changed, changed), faint);
-    half_size = mix(half_size, k.bound_changed, movingApart(px, motion_px, last_px));
+    half_size = mix(half_size, k.bound_apart, movingApart(px, motion_px, last_px));
   }
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
   float chance = kChanceFlips * pow(ratio.x * ratio.y, -0.75);
-  float flipping = still ? kFlips * then.w : kMovingFlips * max(0.0, then.w - chance);
+  float flipping = k.flips * (still ? kFlipsAtRest * then.w : max(0.0, then.w - chance));
   flipping *= (1.0 - changed) * known;
   flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;
@@ -253,8 +248,9 @@ void main() {
     vec3 smoothed = rgbFromYCoCg(smoothedAt(samples, sample_px / ratio));
     current = mix(current, max(smoothed, vec3(0.0)), alone);
   }
-  // At rest the mean is to be that of light.
-  float tone = still ? 0.0 : kTone;
+  // Bright samples weigh less, as if they were seen (Karis 2014): one small highlight would else be
+  // most of a mean of few samples, and flicker. At rest the mean is to be that of light.
+  float tone = still ? 0.0 : k.tone;
   float brightness = 1.0 + tone * lumaYCoCg(current);
   vec4 texel_weight = texelWeights(sample_px, held);
   vec3 shown = vec3(0.0);

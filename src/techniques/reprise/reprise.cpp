@@ -81,6 +81,9 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
       std::max(0.0f, s.real(kSharpness) - kSofter * std::max(0.0f, std::log2(doubt)));
   constants.depth_tolerance = s.real(kDepthTolerance);
   constants.bound_uncovered = s.real(kBoundUncovered);
+  constants.bound_apart = s.real(kBoundApart);
+  constants.flips = s.real(kFlips);
+  constants.tone = s.real(kTone);
   constants.far_frames = static_cast<float>(s.choice(kFarFrames));
   constants.doubt_light = s.real(kDoubtLight);
   constants.doubt_now = s.real(kDoubtNow) * doubt;

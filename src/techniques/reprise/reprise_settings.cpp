@@ -36,6 +36,15 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "the same at rest, without evidence", "as taa"),
     numberSetting(kBoundUncovered, "bound_uncovered", 0.2, 0.0, 1000.0, "standard deviations",
                   "the same where history may be what a silhouette left", "experiment: README.md"),
+    numberSetting(
+        kBoundApart, "bound_apart", 1.0, 0.0, 1000.0, "standard deviations",
+        "the same where neighbours move apart by a pixel or two a frame: what a silhouette "
+        "mixed is no more",
+        "experiment: README.md"),
+    numberSetting(kFlips, "flips", 4.0, 0.0, 1000.0, "",
+                  "how many of the residuals that turn their sign from frame to frame the bound "
+                  "lets pass: what aliases to one colour; 0: none",
+                  "experiment: README.md"),
     integerSetting(kFarFrames, "far_frames", 12, 0, 15, "frames",
                    "how long what lay farthest at a pixel counts as seen there; keeps history "
                    "between leaves and wires",
@@ -45,6 +54,9 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
     numberSetting(kForgetChanged, "forget_changed", 1.0, 0.0, 1.0, "",
                   "how much of its samples a texel loses whose change is fully believed",
                   "experiment: README.md"),
+    numberSetting(kTone, "tone", 0.1, 0.0, 16.0, "1 / luma",
+                  "how much less bright samples weigh in motion; more flickers less and is darker",
+                  "Karis 2014: 1; experiment: README.md"),
     numberSetting(
         kDoubtLight, "doubt_light", 1.0, 0.0, 1.0e6, "variances",
         "how strong light must change over tens of pixels to be followed; 1e6 follows nothing",

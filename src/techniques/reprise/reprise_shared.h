@@ -42,13 +42,17 @@ struct RepriseConstants {
   float doubt_light;
   float doubt_now;
   float doubt_mean;
-  float far_frames;  // that history's farthest depth is kept for after it was last seen
+  float far_frames;   // that history's farthest depth is kept for after it was last seen
+  float bound_apart;  // where neighbours' motions part
+  float flips;        // least half-size of the bound in motion, in flips of a pixel
+  float tone;         // how much less bright samples weigh, a unit of luma
   float unused_0;
   float unused_1;
+  float unused_2;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 112);
+static_assert(sizeof(RepriseConstants) == sizeof(FrameConstants) + 128);
 }  // namespace reprise_technique
 }  // namespace reprise
 #endif

@@ -89,6 +89,14 @@ constexpr double kMostFrameOfCbr = 0.72;
 constexpr double kPublishedOfPs = 9.48 / 17.95;
 constexpr double kPublishedOfCbr = 9.48 / 13.66;
 
+// Share of lighting in PS's frame at 512 lights: 17.95 ms of Table 2, of which all but lighting
+// takes 1.56 (Table 1, Sponza).
+constexpr double kPublishedShareOfLighting = (17.95 - 1.56) / 17.95;
+// Reach of the lamps in Table 2. The paper says that it set the number of lights that overlap, and
+// not to what; this is the shortest reach, in whole steps, at which lighting has that share here
+// (item "time by price").
+constexpr float kWorkloadReach = 3.0f;
+
 // Extent and frames of what is timed: a few frames, large enough that coarse pixels are coarse.
 VkExtent2D timedExtent(const PaperLab& lab);
 uint32_t timedFrames(const PaperLab& lab);

@@ -132,16 +132,15 @@ std::vector<uint64_t> BareScene::evaluations(const std::string& technique) {
   return counts;
 }
 
-Cost costOf(const SequenceRun& run) {
-  constexpr size_t kFirstTimed = 1;  // the first frame builds caches
+Cost costOf(const SequenceRun& run, size_t untimed) {
   Cost cost;
   cost.evaluations_per_pixel = run.evaluations_per_pixel;
-  for (const auto& [name, ms] : run.render_times.medians(kFirstTimed)) {
+  for (const auto& [name, ms] : run.render_times.medians(untimed)) {
     cost.total_ms += ms;
     if (name == "transform" || name == "visibility") cost.visibility_ms += ms;
     if (name == "shade" || name == "light tiles") cost.lighting_ms += ms;
   }
-  for (const auto& [name, ms] : run.resolve_times.medians(kFirstTimed)) cost.resolve_ms += ms;
+  for (const auto& [name, ms] : run.resolve_times.medians(untimed)) cost.resolve_ms += ms;
   cost.total_ms += cost.resolve_ms;
   return cost;
 }
@@ -153,8 +152,8 @@ VkExtent2D timedExtent(const PaperLab& lab) {
 }
 
 uint32_t timedFrames(const PaperLab& lab) {
-  constexpr uint32_t kFrames = 7;  // the first is not counted
-  return lab.scale().whole ? 2 * kFrames : kFrames;
+  constexpr uint32_t kTimed = 8;
+  return kUntimedFrames + (lab.scale().whole ? 2 * kTimed : kTimed);
 }
 
 PaperView view() {

@@ -80,8 +80,10 @@ struct Cost {
   double total_ms = 0.0;  // shadows and motion with it
   double evaluations_per_pixel = 0.0;
 };
-// Medians over the frames after the first.
-Cost costOf(const SequenceRun& run);
+// Medians over the frames after the first `untimed`. The first builds caches; in those that follow
+// history fills, and a resolve does more than it does later.
+constexpr size_t kUntimedFrames = 4;
+Cost costOf(const SequenceRun& run, size_t untimed = kUntimedFrames);
 
 // What was asked of a frame at 512 lights, and what Table 2 published: CPS-T over PS and over CBR.
 constexpr double kMostFrameOfPs = 0.55;

@@ -64,11 +64,13 @@ float depthAt(ivec2 px, ivec2 last_px) {
   return texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x;
 }
 
-// The nearest of a pixel and its four neighbours (section 3.2 of the paper), and its depth.
-ivec2 nearestOfCross(ivec2 px, ivec2 last_px, out float nearest) {
+// The nearest of a pixel and its four neighbours (section 3.2 of the paper), its depth and the
+// pixel's own.
+ivec2 nearestOfCross(ivec2 px, ivec2 last_px, out float nearest, out float own) {
   ivec2 best_px = px;
   float order = k.frame.depth_order;
-  float best = depthAt(px, last_px) * order;
+  own = depthAt(px, last_px);
+  float best = own * order;
   for (int i = 0; i < 4; ++i) {
     ivec2 step = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);
     ivec2 at = clamp(px + step, ivec2(0), last_px);
@@ -208,8 +210,8 @@ Moments coarseMoments(vec2 center_px) {
 }
 
 // Samples of the same surface around, by how close they were shaded (eq. 7), where `wanted`.
-vec3 reconstructed(vec3 current, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
-  float own_depth = viewDepth(k.frame, depthAt(px, last_px));
+vec3 reconstructed(vec3 current, float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
+  float own_depth = viewDepth(k.frame, own);
   vec3 sum = vec3(0.0);
   float weights = 0.0;
   int count = wanted ? 9 : 1;
@@ -245,7 +247,8 @@ void main() {
   float weight = shadingWeight(px, center_px);
 
   float front;
-  ivec2 front_px = nearestOfCross(px, last_px, front);
+  float own;
+  ivec2 front_px = nearestOfCross(px, last_px, front, own);
   vec2 motion_px = motionAt(front_px);
   float view_depth = viewDepth(k.frame, front);
   vec2 previous_extent_px = k.frame.previous_extent_px;
@@ -311,7 +314,7 @@ void main() {
 
   if (kReconstruct != kReconstructNone) {
     bool mixes = kReconstruct == kReconstructAlways || held < k.mean_weight;
-    current = reconstructed(current, px, last_px, center_px, mixes);
+    current = reconstructed(current, own, px, last_px, center_px, mixes);
   }
   float alpha = weightedMeanAlpha(weight, held);
   vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));

@@ -45,11 +45,6 @@ const float kNoiseMemory = 0.5;
 // The least noise, as a share of what the residuals' scatter over 3x3 says.
 const float kSpatialShare = 0.3;
 
-// Fewer samples than this and the frame is antialiased along its edges; a frame brings half a one.
-// Above the input it falls with the ratio: few samples of the very pixel are worth more than the
-// frame's (2 at twice the extent: `chart/still` -0.8 dB, `teapot/orbit` -0.3, `horse/gallop` +0.1).
-const float kAloneSamples = 2.0;
-
 // Standard deviation over mean luma of 3x3 up to which content is faint, and history bounded
 // loosely (eq. 10).
 const float kFaint = 0.05;
@@ -73,10 +68,6 @@ const float kSmallestOutside = 1.0e-6;
 // in a row of different signs: where content aliases to one colour, 3x3 of a frame have no spread
 // (5 dB on `chart/still`). Changes do not flip. At rest a quarter of it is enough.
 const float kFlipsAtRest = 0.25;
-// In motion what silhouettes leave flips a little too: only flips beyond `kChanceFlips` count (2.3
-// dB on `chart/pan`, 1.6 on highlights; without the threshold the capture loses). The threshold
-// falls as the output's extent grows (0.1 dB on `horse/gallop` at twice the extent).
-const float kChanceFlips = 0.1;
 // Flips' upper fifth, which steps toward each frame's flip: what passes by flips once or twice too,
 // and one great flip must count no more than a small one.
 const float kFlipRise = 0.05;
@@ -237,15 +228,14 @@ void main() {
     half_size = mix(half_size, k.bound_apart, movingApart(px, motion_px, last_px));
   }
   half_size = mix(half_size, k.bound_uncovered, block.uncovered);
-  float chance = kChanceFlips * pow(ratio.x * ratio.y, -0.75);
-  float flipping = k.flips * (still ? kFlipsAtRest * then.w : max(0.0, then.w - chance));
+  float flipping = k.flips * (still ? kFlipsAtRest * then.w : max(0.0, then.w - k.chance_flips));
   flipping *= (1.0 - changed) * known;
   flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.
   float held = 0.25 * (block.texel[0].a + block.texel[1].a + block.texel[2].a + block.texel[3].a);
-  float alone = clamp(1.0 - held / (kAloneSamples * inversesqrt(ratio.x * ratio.y)), 0.0, 1.0);
+  float alone = clamp(1.0 - held / k.alone_samples, 0.0, 1.0);
   for (int fresh = alone > 0.0 ? 0 : 1; fresh < 1; ++fresh) {
     vec3 smoothed = rgbFromYCoCg(smoothedAt(samples, sample_px / ratio));
     current = mix(current, max(smoothed, vec3(0.0)), alone);

@@ -42,13 +42,13 @@ struct RepriseConstants {
   float doubt_light;
   float doubt_now;
   float doubt_mean;
-  float far_frames;   // that history's farthest depth is kept for after it was last seen
-  float bound_apart;  // where neighbours' motions part
-  float flips;        // least half-size of the bound in motion, in flips of a pixel
-  float tone;         // how much less bright samples weigh, a unit of luma
+  float far_frames;     // that history's farthest depth is kept for after it was last seen
+  float bound_apart;    // where neighbours' motions part
+  float flips;          // least half-size of the bound in motion, in flips of a pixel
+  float tone;           // how much less bright samples weigh, a unit of luma
+  float chance_flips;   // flips below this count for nothing in motion
+  float alone_samples;  // held, from which on history stands without the frame's own smoothing
   float unused_0;
-  float unused_1;
-  float unused_2;
 };
 
 #ifdef __cplusplus

@@ -18,7 +18,7 @@ void shadeItem(uvec2 item) {
   ivec2 base_px = baseOf(uvec2(item.x & 0xffffu, item.x >> 16));
   uint shown_in = item.y;
   ivec2 first_px = pixelOf(base_px, findLSB(shown_in));
-  selectLightTile(first_px);
+  selectLightTile(tilePixelOf(base_px, shown_in));
   VisibleTriangle seen;
   fetchTriangle(first_px, seen);
   vec2 sample_px =

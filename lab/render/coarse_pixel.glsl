@@ -34,6 +34,13 @@ bool isShownIn(uint shown_in, int i) {
   return (shown_in >> i & 1u) != 0u;
 }
 
+// Whose light tile a triangle is shaded in: the last pixel that shows it. Where the grid begins
+// beside the tiles by a pixel, the first of a row would be in another tile than the rest of its
+// subgroup, whose lanes then wait for each other's lamps.
+ivec2 tilePixelOf(ivec2 base_px, uint shown_in) {
+  return pixelOf(base_px, findMSB(shown_in));
+}
+
 vec2 middleOf(ivec2 base_px, uint shown_in) {
   vec2 sum_px = vec2(0.0);
   float count = 0.0;

@@ -43,7 +43,7 @@ void main() {
   if (!gl_HelperInvocation) atomicAdd(evaluations, 1u);
 
   ivec2 first_px = pixelOf(base_px, findLSB(shown_in));
-  selectLightTile(first_px);
+  selectLightTile(tilePixelOf(base_px, shown_in));
   VisibleTriangle seen =
       VisibleTriangle(texelFetch(triangle_texels, int(triangle)), push.draw.instance);
   vec2 jitter_px = push.shade.unjitter == 0u ? push.shade.jitter_px : vec2(0.0);

@@ -30,5 +30,18 @@ EQ_FN bool isSilhouette(vec2 own_px, vec2 front_px, float longest_px, float shar
   return length(difference_px) > share * longest_px;
 }
 
+// How much of a difference of means is change, not error: James and Stein 1961, "Estimation with
+// quadratic loss", the positive part of their factor.
+EQ_FN float changeCertainty(float difference, float error) {
+  float square = difference * difference;
+  return square > error * error ? 1.0f - error * error / square : 0.0f;
+}
+
+// What scales a mean of `before` to before + change, at most `most` times up or down.
+EQ_FN float changeGain(float before, float change, float most) {
+  const float least_before = 1.0e-4f;
+  return clamp((before + change) / max(before, least_before), 1.0f / most, most);
+}
+
 EQ_END
 #endif

@@ -46,6 +46,20 @@ TEST(Coarse, SilhouettesAreDifferencesOfMotion) {
   EXPECT_FALSE(isSilhouette(vec2(0, 0), vec2(0, 0), 0.0f, 0.3f));
 }
 
+TEST(Coarse, ChangeIsWhatErrorDoesNotExplain) {
+  EXPECT_EQ(changeCertainty(0.1f, 0.1f), 0.0f);
+  EXPECT_EQ(changeCertainty(-0.05f, 0.1f), 0.0f);
+  EXPECT_EQ(changeCertainty(0.0f, 0.0f), 0.0f);
+  EXPECT_NEAR(changeCertainty(0.2f, 0.1f), 0.75f, 1e-6f);
+  EXPECT_NEAR(changeCertainty(-1.0f, 0.1f), 0.99f, 1e-6f);
+
+  EXPECT_NEAR(changeGain(0.5f, -0.2f, 8.0f), 0.6f, 1e-6f);
+  EXPECT_NEAR(changeGain(0.5f, 0.25f, 8.0f), 1.5f, 1e-6f);
+  EXPECT_EQ(changeGain(0.5f, 0.0f, 8.0f), 1.0f);
+  EXPECT_EQ(changeGain(0.01f, 1.0f, 8.0f), 8.0f);
+  EXPECT_EQ(changeGain(1.0f, -1.0f, 8.0f), 0.125f);
+}
+
 // Shortest distance between any two points on a torus of side `side`.
 float closest(const std::vector<vec2>& points, float side) {
   float best = side;

@@ -17,6 +17,9 @@ namespace {
 constexpr uint32_t kMomentsShader[] = {
 #include "cpst_moments.comp.inc"
 };
+constexpr uint32_t kChangeShader[] = {
+#include "cpst_change.comp.inc"
+};
 constexpr uint32_t kResolveShader[] = {
 #include "cpst_resolve.comp.inc"
 };
@@ -43,6 +46,8 @@ enum Setting : uint32_t {
   kHistoryClamp,
   kStillFrames,
   kGammaStill,
+  kChange,
+  kChangeErrors,
   kSettingCount
 };
 
@@ -109,6 +114,16 @@ constexpr auto kSettings = settingTable({
                    "where nothing moves the mean goes on to this many samples", "as taa"),
     numberSetting(kGammaStill, "gamma_still", 8.0, 0.0, 16.0, "standard deviations",
                   "half-size of the bound where nothing moves", "as taa"),
+    switchSetting(
+        kChange, "change", true,
+        "follows shading that changes: where means at LoD 2 are off history's, history is "
+        "scaled to them and weighs less",
+        "ours, for the paper's figure 7; experiment: README.md"),
+    numberSetting(
+        kChangeErrors, "change_errors", 1.25, 0.0, 16.0, "standard errors",
+        "difference of means from which on shading is held to have changed; lower follows "
+        "faster and takes more noise for change",
+        "experiment: README.md"),
 });
 static_assert(kSettings.size() == kSettingCount);
 
@@ -124,6 +139,7 @@ constexpr RepriseSettingValue kPaper[] = {
     {"depth_tolerance", 0.0, nullptr},
     {"reconstruct", 0.0, "none"},
     {"history_clamp", 0.0, "false"},
+    {"change", 0.0, "false"},
 };
 constexpr ReprisePresetInfo kPresets[] = {
     {"paper", kPaper, static_cast<uint32_t>(std::size(kPaper)), "as Xiao et al. 2018 tell it"},
@@ -161,6 +177,11 @@ float meanWeight(const Settings& settings) {
   return static_cast<float>(sum / (4.0 * length));
 }
 
+VkExtent2D momentTexels(VkExtent2D extent_px) {
+  return {(extent_px.width + kMomentSize - 1) / kMomentSize,
+          (extent_px.height + kMomentSize - 1) / kMomentSize};
+}
+
 class Cpst final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
@@ -180,33 +201,41 @@ class Cpst final : public Technique {
     const Settings& s = d.settings;
     const VkExtent2D extent = d.max_output_extent;
     coarse_moments_ = s.choice(kVariance) >= kVarianceCoarse;
-    const VkExtent2D tiles = coarse_moments_
-                                 ? VkExtent2D{(extent.width + kMomentSize - 1) / kMomentSize,
-                                              (extent.height + kMomentSize - 1) / kMomentSize}
-                                 : VkExtent2D{1, 1};
+    change_wanted_ = s.on(kChange);
+    const VkExtent2D none = {1, 1};
+    const bool wide = coarse_moments_ || change_wanted_;
+    const VkExtent2D tiles = wide ? momentTexels(extent) : none;
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
     moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
     motion_box_ = d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT,
-                            s.choice(kVariance) == kVarianceDynamic ? tiles : VkExtent2D{1, 1}, 1);
-    if (coarse_moments_) {
+                            s.choice(kVariance) == kVarianceDynamic ? tiles : none, 1);
+    change_texels_ = d.history("change", VK_FORMAT_R16G16_SFLOAT, change_wanted_ ? tiles : none, 1);
+    if (wide) {
       moments_ = d.pass({.name = "moments",
                          .spirv = kMomentsShader,
-                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage,
-                                      Binding::kStorage, Binding::kConstants},
+                         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kLinear,
+                                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
                          .constant_bytes = sizeof(CpstConstants),
-                         .specialization = {s.choice(kVariance)}});
+                         .specialization = {s.choice(kVariance), change_wanted_ ? 1u : 0u}});
     }
-    resolve_ =
-        d.pass({.name = "resolve",
-                .spirv = kResolveShader,
-                .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                             Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
-                             Binding::kStorage, Binding::kStorage, Binding::kConstants},
-                .constant_bytes = sizeof(CpstConstants),
-                .specialization = {s.choice(kVariance), s.choice(kClipAbout),
-                                   s.choice(kDisocclusion), s.choice(kShadingFilter),
-                                   s.choice(kReconstruct), s.on(kHistoryClamp) ? 1u : 0u}});
+    if (change_wanted_) {
+      change_ = d.pass({.name = "change",
+                        .spirv = kChangeShader,
+                        .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
+                        .constant_bytes = sizeof(CpstConstants),
+                        .specialization = {}});
+    }
+    resolve_ = d.pass(
+        {.name = "resolve",
+         .spirv = kResolveShader,
+         .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                      Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kLinear,
+                      Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kConstants},
+         .constant_bytes = sizeof(CpstConstants),
+         .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
+                            s.choice(kShadingFilter), s.choice(kReconstruct),
+                            s.on(kHistoryClamp) ? 1u : 0u, change_wanted_ ? 1u : 0u}});
     mean_weight_ = 0.0f;
   }
 
@@ -215,17 +244,26 @@ class Cpst final : public Technique {
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& moment_texels = recorder.history(moment_texels_);
     const HistoryImage& motion_box = recorder.history(motion_box_);
+    const HistoryImage& change = recorder.history(change_texels_);
     const CpstConstants constants = constantsOf(state, color.extent());
     const uint64_t n = state.record;
-    if (coarse_moments_) {
+    const VkExtent2D texels = momentTexels(state.output_extent);
+    if (coarse_moments_ || change_wanted_) {
       recorder.pass(moments_)
           .read(state.frame.color)
           .read(state.frame.motion)
+          .read(color.previous(n))
           .write(moment_texels.current(0))
           .write(motion_box.current(0))
           .constants(constants)
-          .dispatch({(state.output_extent.width + kMomentSize - 1) / kMomentSize,
-                     (state.output_extent.height + kMomentSize - 1) / kMomentSize});
+          .dispatch(texels);
+    }
+    if (change_wanted_) {
+      recorder.pass(change_)
+          .read(moment_texels.current(0))
+          .write(change.current(0))
+          .constants(constants)
+          .dispatch(texels);
     }
     recorder.pass(resolve_)
         .read(state.frame.color)
@@ -235,6 +273,7 @@ class Cpst final : public Technique {
         .read(motion_box.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
+        .read(change.current(0))
         .write(color.current(n))
         .write(depth.current(n))
         .write(state.frame.output.view)
@@ -264,17 +303,21 @@ class Cpst final : public Technique {
     constants.depth_tolerance = s.real(kDepthTolerance);
     constants.history_sharpness = s.real(kHistorySharpness);
     constants.mean_weight = mean_weight_;
+    constants.change_errors = s.real(kChangeErrors);
     return constants;
   }
 
   bool coarse_moments_ = false;
+  bool change_wanted_ = false;
   float mean_weight_ = 0.0f;
   double mean_weight_key_ = 0.0;
   HistoryHandle color_ = 0;
   HistoryHandle depth_ = 0;
   HistoryHandle moment_texels_ = 0;
   HistoryHandle motion_box_ = 0;
+  HistoryHandle change_texels_ = 0;
   PassHandle moments_ = 0;
+  PassHandle change_ = 0;
   PassHandle resolve_ = 0;
 };
 

@@ -24,6 +24,7 @@ layout(constant_id = 2) const uint kDisocclusion = 0u;
 layout(constant_id = 3) const uint kShadingFilter = 0u;
 layout(constant_id = 4) const uint kReconstruct = 0u;
 layout(constant_id = 5) const uint kHistoryClamp = 0u;
+layout(constant_id = 6) const uint kChange = 0u;
 
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
@@ -32,10 +33,11 @@ layout(binding = 3) uniform usampler2D moments_image;       // of 4 x 4 pixels; 
 layout(binding = 4) uniform sampler2D motion_box_image;     // of the same pixels; xy: low, zw: high
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
 layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
-layout(binding = 7) writeonly uniform image2D next_history_image;
-layout(binding = 8) writeonly uniform image2D next_depth_image;
-layout(binding = 9) writeonly uniform image2D output_image;
-layout(binding = 10, std140) uniform Constants {
+layout(binding = 7) uniform sampler2D change_image;         // cpst_change.comp
+layout(binding = 8) writeonly uniform image2D next_history_image;
+layout(binding = 9) writeonly uniform image2D next_depth_image;
+layout(binding = 10) writeonly uniform image2D output_image;
+layout(binding = 11, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -296,6 +298,14 @@ void main() {
   float held = hit ? min(history.a, still ? k.held_limit_still : k.held_limit) : 0.0;
 
   vec3 previous = yCoCgFromRgb(sanitizedColor(history.rgb * k.frame.exposure_ratio));
+  if (kChange != 0u) {
+    // Texels beyond those of this extent hold what a larger one left.
+    vec2 last_texel_px = vec2(last_px / int(kMomentSize)) + 0.5;
+    vec2 at = min(center_px / float(kMomentSize), last_texel_px);
+    vec2 change = textureLod(change_image, at / vec2(textureSize(change_image, 0)), 0.0).xy;
+    previous *= change.x;
+    held *= 1.0 - change.y;
+  }
   vec3 bounded = previous;
   if (kVariance != kVarianceNone) {
     bool fine = kVariance == kVarianceFine || disoccluded;

@@ -46,11 +46,15 @@ struct CpstConstants {
   float silhouette_share;
   float depth_tolerance;
   float history_sharpness;
-  float mean_weight;  // of the shading filter over a cycle of the jitter
+  float mean_weight;    // of the shading filter over a cycle of the jitter
+  float change_errors;  // standard errors beyond which shading is held to have changed
+  float padding_0;
+  float padding_1;
+  float padding_2;
 };
 
 #ifdef __cplusplus
-static_assert(sizeof(CpstConstants) == sizeof(FrameConstants) + 48);
+static_assert(sizeof(CpstConstants) == sizeof(FrameConstants) + 64);
 }  // namespace cpst
 }  // namespace reprise
 #endif

@@ -20,6 +20,9 @@ constexpr uint32_t kMomentsShader[] = {
 constexpr uint32_t kChangeShader[] = {
 #include "cpst_change.comp.inc"
 };
+constexpr uint32_t kSilhouettesShader[] = {
+#include "cpst_silhouettes.comp.inc"
+};
 constexpr uint32_t kResolveShader[] = {
 #include "cpst_resolve.comp.inc"
 };
@@ -208,8 +211,10 @@ class Cpst final : public Technique {
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
     moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
-    motion_box_ = d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT,
-                            s.choice(kVariance) == kVarianceDynamic ? tiles : none, 1);
+    dynamic_ = s.choice(kVariance) == kVarianceDynamic;
+    motion_box_ =
+        d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT, dynamic_ ? tiles : none, 1);
+    silhouette_bits_ = d.history("silhouettes", VK_FORMAT_R32_UINT, dynamic_ ? tiles : none, 1);
     change_texels_ = d.history("change", VK_FORMAT_R16G16_SFLOAT, change_wanted_ ? tiles : none, 1);
     if (wide) {
       moments_ = d.pass({.name = "moments",
@@ -225,6 +230,14 @@ class Cpst final : public Technique {
                         .bindings = {Binding::kTexel, Binding::kStorage, Binding::kConstants},
                         .constant_bytes = sizeof(CpstConstants),
                         .specialization = {}});
+    }
+    if (dynamic_) {
+      silhouettes_ = d.pass({.name = "silhouettes",
+                             .spirv = kSilhouettesShader,
+                             .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel,
+                                          Binding::kStorage, Binding::kConstants},
+                             .constant_bytes = sizeof(CpstConstants),
+                             .specialization = {}});
     }
     resolve_ = d.pass(
         {.name = "resolve",
@@ -244,6 +257,7 @@ class Cpst final : public Technique {
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& moment_texels = recorder.history(moment_texels_);
     const HistoryImage& motion_box = recorder.history(motion_box_);
+    const HistoryImage& silhouette_bits = recorder.history(silhouette_bits_);
     const HistoryImage& change = recorder.history(change_texels_);
     const CpstConstants constants = constantsOf(state, color.extent());
     const uint64_t n = state.record;
@@ -265,12 +279,21 @@ class Cpst final : public Technique {
           .constants(constants)
           .dispatch(texels);
     }
+    if (dynamic_) {
+      recorder.pass(silhouettes_)
+          .read(state.frame.depth)
+          .read(state.frame.motion)
+          .read(motion_box.current(0))
+          .write(silhouette_bits.current(0))
+          .constants(constants)
+          .dispatch(texels);
+    }
     recorder.pass(resolve_)
         .read(state.frame.color)
         .read(state.frame.depth)
         .read(state.frame.motion)
         .read(moment_texels.current(0))
-        .read(motion_box.current(0))
+        .read(silhouette_bits.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
         .read(change.current(0))
@@ -308,6 +331,7 @@ class Cpst final : public Technique {
   }
 
   bool coarse_moments_ = false;
+  bool dynamic_ = false;
   bool change_wanted_ = false;
   float mean_weight_ = 0.0f;
   double mean_weight_key_ = 0.0;
@@ -315,8 +339,10 @@ class Cpst final : public Technique {
   HistoryHandle depth_ = 0;
   HistoryHandle moment_texels_ = 0;
   HistoryHandle motion_box_ = 0;
+  HistoryHandle silhouette_bits_ = 0;
   HistoryHandle change_texels_ = 0;
   PassHandle moments_ = 0;
+  PassHandle silhouettes_ = 0;
   PassHandle change_ = 0;
   PassHandle resolve_ = 0;
 };

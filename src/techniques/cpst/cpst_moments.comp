@@ -2,8 +2,8 @@
 //
 // Mean and variance of 4 x 4 pixels, in YCoCg: LoD 2 of a mip chain of moments in one step. The
 // variance, not the second moment, is stored: halves have no bits left for their difference. Beside
-// it the box of the pixels' motions, by which the resolve knows where no silhouette can be, and how
-// far the mean is off history's (cpst_change.comp).
+// it the box of the pixels' motions, by which cpst_silhouettes.comp knows where none can be, and
+// how far the mean is off history's (cpst_change.comp).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 

@@ -30,7 +30,7 @@ layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
 layout(binding = 3) uniform usampler2D moments_image;       // of 4 x 4 pixels; cpst_moments.comp
-layout(binding = 4) uniform sampler2D motion_box_image;     // of the same pixels; xy: low, zw: high
+layout(binding = 4) uniform usampler2D silhouette_image;    // of the same pixels, a bit each
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
 layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
 layout(binding = 7) uniform sampler2D change_image;         // cpst_change.comp
@@ -109,85 +109,12 @@ vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
-// The motions of the four texels around, in which the points of equation (4) lie: xy: low, zw:
-// high.
-vec4 motionBox(vec2 center_px) {
-  ivec2 base = ivec2(floor(center_px / float(kMomentSize) - 0.5));
-  ivec2 last = (ivec2(k.frame.extent_px) - 1) / int(kMomentSize);
-  vec4 box = texelFetch(motion_box_image, clamp(base, ivec2(0), last), 0);
-  for (int i = 1; i < 4; ++i) {
-    ivec2 texel = clamp(base + ivec2(i % 2, i / 2), ivec2(0), last);
-    vec4 other = texelFetch(motion_box_image, texel, 0);
-    box = vec4(min(box.xy, other.xy), max(box.zw, other.zw));
-  }
-  return box;
-}
-
-// Rounding of lengths must not hide what is just beyond the share.
-const float kBoxRounding = 0.001;
-
-// Whether a silhouette (eq. 4) can be in a box at all: no two motions in it differ by more than its
-// diagonal, nor is one shorter than the way from 0 to it.
-bool motionVaries(vec4 box) {
-  float shortest_px = length(max(max(box.xy, -box.zw), vec2(0.0)));
-  return length(box.zw - box.xy) > (1.0 - kBoxRounding) * k.silhouette_share * shortest_px;
-}
-
-// One of eight points two pixels around.
-ivec2 pointAround(ivec2 px, int i, ivec2 last_px) {
-  int of_nine = i < 4 ? i : i + 1;
-  return clamp(px + 2 * ivec2(of_nine % 3 - 1, of_nine / 3 - 1), ivec2(0), last_px);
-}
-
-// Equation (4), where `wanted`. `box` holds all motions around.
-bool atSilhouette(ivec2 px, ivec2 last_px, vec4 box, bool wanted) {
-  float order = k.frame.depth_order;
-  float nearest = 3.0e38;
-  ivec2 front_px = px;
-  int count = wanted ? 8 : 1;
-  int i = 0;
-  do {
-    ivec2 at = pointAround(px, i, last_px);
-    float depth = depthAt(at, last_px) * order;
-    if (depth < nearest) {
-      nearest = depth;
-      front_px = at;
-    }
-    ++i;
-  } while (i < count);
-
-  vec2 own = motionAt(px);
-  vec2 front = motionAt(front_px);
-  float longest_px = max(length(own), length(front));
-  // All of the box are shorter than this.
-  float bound_px = (1.0 + kBoxRounding) * length(max(abs(box.xy), abs(box.zw)));
-  bool certain = isSilhouette(own, front, bound_px, k.silhouette_share);
-  // A longer motion can only make none of one: few pixels need to look for it.
-  bool open = wanted && !certain && isSilhouette(own, front, longest_px, k.silhouette_share);
-  count = open ? 8 : 1;
-  i = 0;
-  do {
-    longest_px = max(longest_px, length(motionAt(pointAround(px, i, last_px))));
-    ++i;
-  } while (i < count);
-  return wanted && (certain || (open && isSilhouette(own, front, longest_px, k.silhouette_share)));
-}
-
-// Moments of 3 x 3 pixels, where `wanted`. Not of samples fetched beforehand: these would be live
-// through all that comes between, and CPU drivers have no registers for them.
-Moments fineMoments(ivec2 px, ivec2 last_px, bool wanted) {
-  vec3 sum = vec3(0.0);
-  vec3 sum_of_squares = vec3(0.0);
-  int count = wanted ? 9 : 1;
-  int i = 0;
-  do {
-    vec3 c = yCoCgFromRgb(fetchColor(color_image, px + ivec2(i % 3 - 1, i / 3 - 1), last_px));
-    sum += c;
-    sum_of_squares += c * c;
-    ++i;
-  } while (i < count);
-  vec3 mean = sum * (1.0 / 9.0);
-  return Moments(mean, deviationFromMoments(mean, sum_of_squares * (1.0 / 9.0)));
+// Equation (4), told by cpst_silhouettes.comp.
+bool atSilhouette(ivec2 px) {
+  ivec2 block = px / int(kMomentSize);
+  ivec2 in_block = px - block * int(kMomentSize);
+  uint silhouettes = texelFetch(silhouette_image, block, 0).x;
+  return (silhouettes >> (in_block.y * int(kMomentSize) + in_block.x) & 1u) != 0u;
 }
 
 // Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
@@ -211,24 +138,40 @@ Moments coarseMoments(vec2 center_px) {
   return Moments(mean, deviationFromMoments(mean, square));
 }
 
-// Samples of the same surface around, by how close they were shaded (eq. 7), where `wanted`.
-vec3 reconstructed(vec3 current, float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
+struct Around {
+  Moments fine;  // of 3 x 3 pixels
+  vec3 mixed;    // samples of the same surface among them, by how close they were shaded (eq. 7)
+};
+
+// Of the samples around, where one of both is `wanted`: few pixels need either, mostly the same
+// ones. Of samples that are fetched here: kept from before they would be live through all that
+// comes between, and CPU drivers have no registers for them.
+Around aroundOf(float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
   float own_depth = viewDepth(k.frame, own);
   vec3 sum = vec3(0.0);
+  vec3 sum_of_squares = vec3(0.0);
+  vec3 mixed = vec3(0.0);
   float weights = 0.0;
   int count = wanted ? 9 : 1;
   int i = 0;
   do {
     ivec2 at = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
-    float depth = viewDepth(k.frame, depthAt(at, last_px));
-    float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
-    if (!depthsAgree(own_depth, depth, kSameSurface)) w = 0.0;
-    if (i == 4) w = max(w, 1.0e-4);
-    sum += w * yCoCgFromRgb(fetchColor(color_image, at, last_px));
-    weights += w;
+    vec3 c = yCoCgFromRgb(fetchColor(color_image, at, last_px));
+    sum += c;
+    sum_of_squares += c * c;
+    if (kReconstruct != kReconstructNone) {
+      float depth = viewDepth(k.frame, depthAt(at, last_px));
+      float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
+      if (!depthsAgree(own_depth, depth, kSameSurface)) w = 0.0;
+      if (i == 4) w = max(w, 1.0e-4);
+      mixed += w * c;
+      weights += w;
+    }
     ++i;
   } while (i < count);
-  return wanted ? sum / weights : current;
+  vec3 mean = sum * (1.0 / 9.0);
+  return Around(Moments(mean, deviationFromMoments(mean, sum_of_squares * (1.0 / 9.0))),
+                mixed / weights);
 }
 
 // Of the taps with these depths, in which this surface was seen.
@@ -306,15 +249,16 @@ void main() {
     previous *= change.x;
     held *= 1.0 - change.y;
   }
+  bool fine = kVariance == kVarianceFine || disoccluded;
+  if (kVariance == kVarianceNone || kVariance == kVarianceCoarse) fine = false;
+  if (kVariance == kVarianceDynamic) fine = fine || atSilhouette(px);
+  bool mixes = kReconstruct == kReconstructAlways ||
+               (kReconstruct == kReconstructFresh && held < k.mean_weight);
+  Around around = aroundOf(own, px, last_px, center_px, fine || mixes);
+
   vec3 bounded = previous;
   if (kVariance != kVarianceNone) {
-    bool fine = kVariance == kVarianceFine || disoccluded;
-    if (kVariance == kVarianceCoarse) fine = false;
-    if (kVariance == kVarianceDynamic) {
-      vec4 box = motionBox(center_px);
-      fine = fine || atSilhouette(px, last_px, box, !fine && motionVaries(box));
-    }
-    Moments m = fineMoments(px, last_px, fine);
+    Moments m = around.fine;
     if (!fine) m = coarseMoments(center_px);
     float gamma = still ? k.gamma_still : k.gamma;
     vec3 middle = kAbout == kAboutOwn ? current : m.mean;
@@ -322,10 +266,7 @@ void main() {
     bounded = clipTowardBoxCentre(middle - reach, middle + reach, previous);
   }
 
-  if (kReconstruct != kReconstructNone) {
-    bool mixes = kReconstruct == kReconstructAlways || held < k.mean_weight;
-    current = reconstructed(current, own, px, last_px, center_px, mixes);
-  }
+  if (mixes) current = around.mixed;
   float alpha = weightedMeanAlpha(weight, held);
   vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));
   vec3 stored = roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number, true);

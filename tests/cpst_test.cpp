@@ -109,6 +109,50 @@ TEST_P(Cpst, TakesFineMomentsAtSilhouettesAndNowhereElse) {
 
 INSTANTIATE_TEST_SUITE_P(All, Cpst, ::testing::Values(1.2f, 1.5f, -2.0f, 40.0f));
 
+// The board's left edge draws back by `back_px` in the second frame, where the board moves by
+// `board_px` and its surroundings rest.
+FloatImage edgeDrawsBack(const char* technique, int back_px, float board_px) {
+  Formula formula;
+  formula.color = noise;
+  formula.damage = [&](uint32_t frame, FloatImage&, FloatImage& depth, FloatImage& motion) {
+    for (uint32_t y = 0; y < kHeight; ++y) {
+      for (uint32_t x = 0; x < kWidth; ++x) {
+        const int back = frame == 0 ? 0 : back_px;
+        const bool near = onBoard(static_cast<int>(x), static_cast<int>(y)) &&
+                          onBoard(static_cast<int>(x) - back, static_cast<int>(y));
+        motion.at(x, y)[0] = near ? board_px : 0.0f;
+        *depth.at(x, y) = near ? kNear : kFar;
+      }
+    }
+  };
+  FormulaSource source(testDevice(), {kWidth, kHeight}, formula);
+  Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+  return resolveFrames(resolver, source, 2);
+}
+
+// Columns, in the middle of the board's height, where that history serves with the default only.
+int differentColumns(int back_px, float board_px) {
+  const FloatImage kept = edgeDrawsBack("cpst", back_px, board_px);
+  const FloatImage dropped = edgeDrawsBack("cpst:uncover_motion=0", back_px, board_px);
+  int count = 0;
+  for (uint32_t x = 0; x < kWidth; ++x) {
+    count += kept.at(x, 15)[0] != dropped.at(x, 15)[0] ? 1 : 0;
+  }
+  return count;
+}
+
+TEST(CpstUncovers, KeepsHistoryWhereAnOutlineOnlyJitters) {
+  EXPECT_GT(differentColumns(2, 0.0f), 0);
+}
+
+TEST(CpstUncovers, DropsHistoryWhereTheBoardMovesAway) {
+  EXPECT_EQ(differentColumns(2, 2.0f), 0);
+}
+
+TEST(CpstUncovers, DropsHistoryWhereTheBoardIsGone) {
+  EXPECT_EQ(differentColumns(13, 0.0f), 0);
+}
+
 constexpr uint32_t kDarkFrom = 12;
 constexpr float kShadow = 0.6f;
 constexpr int kShadowBegins_px = 24;

@@ -44,6 +44,7 @@ enum Setting : uint32_t {
   kSilhouette,
   kDisocclusion,
   kDepthTolerance,
+  kUncoverMotion,
   kReconstruct,
   kHistorySharpness,
   kHistoryClamp,
@@ -104,6 +105,11 @@ constexpr auto kSettings = settingTable({
                   "Xiao et al. 2018, section 4 (scale); taa (taps)"),
     numberSetting(kDepthTolerance, "depth_tolerance", 0.02, 0.0, 1.0, "relative",
                   "how much farther than the tap the current surface may be", "as taa"),
+    numberSetting(
+        kUncoverMotion, "uncover_motion", 0.5, 0.0, 64.0, "px",
+        "taps: history of something nearer is left out where that is gone or moves by this "
+        "much against the surface; 0: wherever it was nearer",
+        "ours; experiment: README.md"),
     choiceSetting(kReconstruct, "reconstruct", 1, kReconstructNames,
                   "mixes the samples of one surface around a pixel by their distance: nowhere, "
                   "where history is missing, or everywhere",
@@ -324,6 +330,7 @@ class Cpst final : public Technique {
     constants.gamma_still = s.real(kGammaStill);
     constants.silhouette_share = s.real(kSilhouette);
     constants.depth_tolerance = s.real(kDepthTolerance);
+    constants.uncover_motion_px = s.real(kUncoverMotion);
     constants.history_sharpness = s.real(kHistorySharpness);
     constants.mean_weight = mean_weight_;
     constants.change_errors = s.real(kChangeErrors);

@@ -109,6 +109,31 @@ vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
+// Where `wanted`, whether what was nearer in history, at `then`, is still there two pixels around
+// and moves with the surface. Then nothing was uncovered: a jitter drew their outline elsewhere,
+// and history's colours are a mean over such outlines.
+bool outlineJitters(ivec2 px, ivec2 last_px, vec2 motion_px, float then, bool wanted) {
+  float order = k.frame.depth_order;
+  float nearest = 3.0e38;
+  ivec2 nearest_px = px;
+  int count = wanted ? 9 : 1;
+  int i = 0;
+  do {
+    ivec2 at = clamp(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
+    float depth = depthAt(at, last_px) * order;
+    if (depth < nearest) {
+      nearest = depth;
+      nearest_px = at;
+    }
+    ++i;
+  } while (i < count);
+  float expected =
+      expectedPreviousDepth(k.frame.previous_depth_coefficients, vec2(px) + 0.5 - k.frame.jitter_px,
+                            viewDepth(k.frame, nearest * order));
+  return wanted && wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) &&
+         length(motionAt(nearest_px) - motion_px) < k.uncover_motion_px;
+}
+
 // Equation (4), told by cpst_silhouettes.comp.
 bool atSilhouette(ivec2 px) {
   ivec2 block = px / int(kMomentSize);
@@ -227,6 +252,11 @@ void main() {
     float slope = inverseSlope(front_px, last_px, view_depth, nearer);
     if (nearer) valid = visibleTaps(expected, then, kPlaneReach_px * slope);
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
+    float nearest_then = min(min(then.x, then.y), min(then.z, then.w));
+    if (outlineJitters(px, last_px, motion_px, nearest_then, disoccluded)) {
+      valid = vec4(1.0);
+      disoccluded = false;
+    }
     hit = hit && dot(valid, vec4(1.0)) > 0.5;
   }
 

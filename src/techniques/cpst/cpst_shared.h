@@ -48,9 +48,9 @@ struct CpstConstants {
   float history_sharpness;
   float mean_weight;    // of the shading filter over a cycle of the jitter
   float change_errors;  // standard errors beyond which shading is held to have changed
+  float uncover_motion_px;
   float padding_0;
   float padding_1;
-  float padding_2;
 };
 
 #ifdef __cplusplus

@@ -213,5 +213,40 @@ TEST(HardCases, WhatWidensTheBoundPays) {
   expectNoValidationMessages();
 }
 
+// A pixel that sees the sky between two bars lies beside what is nearer on both sides, and a
+// concave slope of depths does too: taken for a slope, it lost its history to the sky's motion in
+// every frame (0.2 dB on hangar/fly and foliage/walk).
+TEST(HardCases, AGapOfOnePixelMovesWithItsBars) {
+  Formula bars;
+  bars.velocity_px[0] = 0.37f;
+  bars.color = [](float x, float) {
+    return std::fmod(x + 900.0f, 2.0f) < 1.0f ? grey(0.8f) : grey(0.05f);
+  };
+  const auto psnr = [&](bool flat) {
+    Formula seen = bars;
+    seen.damage = [&](uint32_t, FloatImage& color, FloatImage& depth, FloatImage& motion) {
+      for (size_t i = 0; !flat && i < color.texelCount(); ++i) {
+        if (color.texels[4 * i] > 0.5f) continue;
+        depth.texels[i] = 1000.0f;
+        motion.texels[2 * i] = 0.0f;
+      }
+    };
+    FormulaSource source(testDevice(), kExtent, seen);
+    Resolver resolver(testDevice(), parseTechnique("reprise"), source.info());
+    double sum = 0.0;
+    for (uint32_t i = 0; i < kFrames; ++i) {
+      const FloatImage image = resolveFrames(resolver, source, 1, i);
+      if (i < kWarmUp) continue;
+      sum += psnrDb(meanSquaredError(displayImage(*source.reference(i)), displayImage(image)));
+    }
+    return sum / (kFrames - kWarmUp);
+  };
+  const double flat = psnr(true);
+  const double deep = psnr(false);
+  std::printf("bars: %.2f, over a sky that stands still %.2f\n", flat, deep);
+  EXPECT_GT(deep, flat - 0.5);
+  expectNoValidationMessages();
+}
+
 }  // namespace
 }  // namespace reprise::lab

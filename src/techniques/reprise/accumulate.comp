@@ -208,7 +208,7 @@ void main() {
   float right = nearness(k.frame, depth_image, surface_px + ivec2(1, 0), last_px);
   float above = nearness(k.frame, depth_image, surface_px - ivec2(0, 1), last_px);
   float below = nearness(k.frame, depth_image, surface_px + ivec2(0, 1), last_px);
-  vec2 slope = vec2(smallerOf(right - near, near - left), smallerOf(below - near, near - above));
+  vec2 slope = vec2(slopeOf(right - near, near - left), slopeOf(below - near, near - above));
   float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                          center_px - k.frame.jitter_px, 1.0 / near);
   HistoryBlock block =

@@ -36,7 +36,7 @@ void main() {
   int closest = 0;
   float surface = near[0];
   for (int i = 1; i < 5; ++i) {
-    float slope = abs(near[((i - 1) ^ 1) + 1] - near[0]);
+    float slope = max(near[0] - near[((i - 1) ^ 1) + 1], 0.0);
     bool silhouette = near[i] - near[0] > 2.0 * slope + kSilhouette * near[0];
     if (silhouette && near[i] > surface) {
       surface = near[i];
@@ -45,8 +45,8 @@ void main() {
   }
   float view_depth = 1.0 / surface;
   float slope = closest != 0 ? 0.0
-                             : abs(smallerOf(near[1] - surface, near[2] - surface)) +
-                                   abs(smallerOf(near[3] - surface, near[4] - surface));
+                             : abs(slopeOf(near[1] - surface, surface - near[2])) +
+                                   abs(slopeOf(near[3] - surface, surface - near[4]));
   ivec2 surface_px = clamp(px + kCross[closest], ivec2(0), last_px);
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, surface_px, 0).xy);
 

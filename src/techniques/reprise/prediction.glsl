@@ -44,9 +44,10 @@ uint farAge(uint word) {
   return word & 15u;
 }
 
-// Of two differences to neighbours the smaller: the larger may lead to another surface.
-float smallerOf(float a, float b) {
-  return abs(a) < abs(b) ? a : b;
+// Of the differences to both sides of a pixel the smaller: the larger may lead to another surface.
+// Of opposite signs both do, as from a bar of one pixel: no slope can be seen there.
+float slopeOf(float a, float b) {
+  return a * b > 0.0 ? (abs(a) < abs(b) ? a : b) : 0.0;
 }
 
 #endif

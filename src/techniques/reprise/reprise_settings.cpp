@@ -34,7 +34,7 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "the same with full evidence", "Salvi 2016: 0.75 to 1.25"),
     numberSetting(kBoundStill, "bound_still", 8.0, 0.0, 1000.0, "standard deviations",
                   "the same at rest, without evidence", "as taa"),
-    numberSetting(kBoundUncovered, "bound_uncovered", 0.2, 0.0, 1000.0, "standard deviations",
+    numberSetting(kBoundUncovered, "bound_uncovered", 1.0, 0.0, 1000.0, "standard deviations",
                   "the same where history may be what a silhouette left", "experiment: README.md"),
     numberSetting(
         kBoundApart, "bound_apart", 1.0, 0.0, 1000.0, "standard deviations",

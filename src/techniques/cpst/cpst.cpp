@@ -217,18 +217,18 @@ class Cpst final : public Technique {
     color_ = d.history("history color", VK_FORMAT_R16G16B16A16_SFLOAT, extent, 2);
     depth_ = d.history("history depth", VK_FORMAT_R32_SFLOAT, extent, 2);
     moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
-    dynamic_ = s.choice(kVariance) == kVarianceDynamic;
-    motion_box_ =
-        d.history("motion box", VK_FORMAT_R32G32B32A32_SFLOAT, dynamic_ ? tiles : none, 1);
-    silhouette_bits_ = d.history("silhouettes", VK_FORMAT_R32_UINT, dynamic_ ? tiles : none, 1);
+    told_wanted_ =
+        s.choice(kVariance) == kVarianceDynamic || s.choice(kDisocclusion) == kDisocclusionTaps;
+    told_texels_ = d.history("silhouettes", VK_FORMAT_R32G32B32A32_UINT,
+                             told_wanted_ ? momentTexels(extent) : none, 1);
     change_texels_ = d.history("change", VK_FORMAT_R16G16_SFLOAT, change_wanted_ ? tiles : none, 1);
     if (wide) {
       moments_ = d.pass({.name = "moments",
                          .spirv = kMomentsShader,
                          .bindings = {Binding::kTexel, Binding::kTexel, Binding::kLinear,
-                                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                                      Binding::kStorage, Binding::kConstants},
                          .constant_bytes = sizeof(CpstConstants),
-                         .specialization = {s.choice(kVariance), change_wanted_ ? 1u : 0u}});
+                         .specialization = {change_wanted_ ? 1u : 0u}});
     }
     if (change_wanted_) {
       change_ = d.pass({.name = "change",
@@ -237,13 +237,13 @@ class Cpst final : public Technique {
                         .constant_bytes = sizeof(CpstConstants),
                         .specialization = {}});
     }
-    if (dynamic_) {
-      silhouettes_ = d.pass({.name = "silhouettes",
-                             .spirv = kSilhouettesShader,
-                             .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                                          Binding::kStorage, Binding::kConstants},
-                             .constant_bytes = sizeof(CpstConstants),
-                             .specialization = {}});
+    if (told_wanted_) {
+      silhouettes_ = d.pass(
+          {.name = "silhouettes",
+           .spirv = kSilhouettesShader,
+           .bindings = {Binding::kTexel, Binding::kTexel, Binding::kStorage, Binding::kConstants},
+           .constant_bytes = sizeof(CpstConstants),
+           .specialization = {}});
     }
     resolve_ = d.pass(
         {.name = "resolve",
@@ -262,8 +262,7 @@ class Cpst final : public Technique {
     const HistoryImage& color = recorder.history(color_);
     const HistoryImage& depth = recorder.history(depth_);
     const HistoryImage& moment_texels = recorder.history(moment_texels_);
-    const HistoryImage& motion_box = recorder.history(motion_box_);
-    const HistoryImage& silhouette_bits = recorder.history(silhouette_bits_);
+    const HistoryImage& told = recorder.history(told_texels_);
     const HistoryImage& change = recorder.history(change_texels_);
     const CpstConstants constants = constantsOf(state, color.extent());
     const uint64_t n = state.record;
@@ -274,7 +273,6 @@ class Cpst final : public Technique {
           .read(state.frame.motion)
           .read(color.previous(n))
           .write(moment_texels.current(0))
-          .write(motion_box.current(0))
           .constants(constants)
           .dispatch(texels);
     }
@@ -285,12 +283,11 @@ class Cpst final : public Technique {
           .constants(constants)
           .dispatch(texels);
     }
-    if (dynamic_) {
+    if (told_wanted_) {
       recorder.pass(silhouettes_)
           .read(state.frame.depth)
           .read(state.frame.motion)
-          .read(motion_box.current(0))
-          .write(silhouette_bits.current(0))
+          .write(told.current(0))
           .constants(constants)
           .dispatch(texels);
     }
@@ -299,7 +296,7 @@ class Cpst final : public Technique {
         .read(state.frame.depth)
         .read(state.frame.motion)
         .read(moment_texels.current(0))
-        .read(silhouette_bits.current(0))
+        .read(told.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
         .read(change.current(0))
@@ -338,15 +335,14 @@ class Cpst final : public Technique {
   }
 
   bool coarse_moments_ = false;
-  bool dynamic_ = false;
+  bool told_wanted_ = false;
   bool change_wanted_ = false;
   float mean_weight_ = 0.0f;
   double mean_weight_key_ = 0.0;
   HistoryHandle color_ = 0;
   HistoryHandle depth_ = 0;
   HistoryHandle moment_texels_ = 0;
-  HistoryHandle motion_box_ = 0;
-  HistoryHandle silhouette_bits_ = 0;
+  HistoryHandle told_texels_ = 0;
   HistoryHandle change_texels_ = 0;
   PassHandle moments_ = 0;
   PassHandle silhouettes_ = 0;

@@ -2,8 +2,7 @@
 //
 // Mean and variance of 4 x 4 pixels, in YCoCg: LoD 2 of a mip chain of moments in one step. The
 // variance, not the second moment, is stored: halves have no bits left for their difference. Beside
-// it the box of the pixels' motions, by which cpst_silhouettes.comp knows where none can be, and
-// how far the mean is off history's (cpst_change.comp).
+// it how far the mean is off history's (cpst_change.comp).
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -16,15 +15,13 @@
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
-layout(constant_id = 0) const uint kVariance = 0u;
-layout(constant_id = 1) const uint kChange = 0u;
+layout(constant_id = 0) const uint kChange = 0u;
 
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D motion_image;
 layout(binding = 2) uniform sampler2D history_image;
-layout(binding = 3) writeonly uniform uimage2D moments_image;    // four words of two halves
-layout(binding = 4) writeonly uniform image2D motion_box_image;  // xy: low, zw: high, px
-layout(binding = 5, std140) uniform Constants {
+layout(binding = 3) writeonly uniform uimage2D moments_image;  // four words of two halves
+layout(binding = 4, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -91,15 +88,4 @@ void main() {
   imageStore(moments_image, texel,
              uvec4(packHalf2x16(mean.xy), packHalf2x16(vec2(mean.z, variance.x)),
                    packHalf2x16(variance.yz), packHalf2x16(change)));
-  if (kVariance != kVarianceDynamic) return;
-  vec2 low_px = vec2(3.0e38);
-  vec2 high_px = vec2(-3.0e38);
-  for (int i = 0; i < int(kMomentSize * kMomentSize); ++i) {
-    ivec2 px = first_px + ivec2(i % int(kMomentSize), i / int(kMomentSize));
-    vec2 motion_px =
-        motionPx(k.frame, texelFetch(motion_image, clamp(px, ivec2(0), last_px), 0).xy);
-    low_px = min(low_px, motion_px);
-    high_px = max(high_px, motion_px);
-  }
-  imageStore(motion_box_image, texel, vec4(low_px, high_px));
 }

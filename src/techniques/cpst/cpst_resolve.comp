@@ -30,7 +30,7 @@ layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
 layout(binding = 3) uniform usampler2D moments_image;       // of 4 x 4 pixels; cpst_moments.comp
-layout(binding = 4) uniform usampler2D silhouette_image;    // of the same pixels, a bit each
+layout(binding = 4) uniform usampler2D silhouette_image;    // cpst_silhouettes.comp
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
 layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
 layout(binding = 7) uniform sampler2D change_image;         // cpst_change.comp
@@ -109,37 +109,31 @@ vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
-// Where `wanted`, whether what was nearer in history, at `then`, is still there two pixels around
-// and moves with the surface. Then nothing was uncovered: a jitter drew their outline elsewhere,
-// and history's colours are a mean over such outlines.
-bool outlineJitters(ivec2 px, ivec2 last_px, vec2 motion_px, float then, bool wanted) {
-  float order = k.frame.depth_order;
-  float nearest = 3.0e38;
-  ivec2 nearest_px = px;
-  int count = wanted ? 9 : 1;
-  int i = 0;
-  do {
-    ivec2 at = clamp(px + 2 * ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
-    float depth = depthAt(at, last_px) * order;
-    if (depth < nearest) {
-      nearest = depth;
-      nearest_px = at;
-    }
-    ++i;
-  } while (i < count);
-  float expected =
-      expectedPreviousDepth(k.frame.previous_depth_coefficients, vec2(px) + 0.5 - k.frame.jitter_px,
-                            viewDepth(k.frame, nearest * order));
-  return wanted && wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) &&
-         length(motionAt(nearest_px) - motion_px) < k.uncover_motion_px;
-}
+// What cpst_silhouettes.comp tells of a pixel.
+struct Told {
+  bool at_silhouette;  // eq. 4
+  ivec2 front_px;      // front-most of nine points two pixels apart
+};
 
-// Equation (4), told by cpst_silhouettes.comp.
-bool atSilhouette(ivec2 px) {
+Told toldOf(ivec2 px, ivec2 last_px) {
   ivec2 block = px / int(kMomentSize);
   ivec2 in_block = px - block * int(kMomentSize);
-  uint silhouettes = texelFetch(silhouette_image, block, 0).x;
-  return (silhouettes >> (in_block.y * int(kMomentSize) + in_block.x) & 1u) != 0u;
+  int pixel = in_block.y * int(kMomentSize) + in_block.x;
+  uvec3 words = texelFetch(silhouette_image, block, 0).xyz;
+  int point = int((pixel < 8 ? words.y : words.z) >> (4 * (pixel & 7)) & 15u);
+  ivec2 front_px = px + 2 * ivec2(point % 3 - 1, point / 3 - 1);
+  return Told((words.x >> pixel & 1u) != 0u, clamp(front_px, ivec2(0), last_px));
+}
+
+// Whether what was nearer in history, at `then`, is still there two pixels around and moves with
+// the surface. Then nothing was uncovered: a jitter drew their outline elsewhere, and history's
+// colours are a mean over such outlines.
+bool outlineJitters(ivec2 px, ivec2 last_px, ivec2 front_px, vec2 motion_px, float then) {
+  float expected =
+      expectedPreviousDepth(k.frame.previous_depth_coefficients, vec2(px) + 0.5 - k.frame.jitter_px,
+                            viewDepth(k.frame, depthAt(front_px, last_px)));
+  return wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) &&
+         length(motionAt(front_px) - motion_px) < k.uncover_motion_px;
 }
 
 // Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
@@ -218,6 +212,7 @@ void main() {
 
   float front;
   float own;
+  Told told = toldOf(px, last_px);
   ivec2 front_px = nearestOfCross(px, last_px, front, own);
   vec2 motion_px = motionAt(front_px);
   float view_depth = viewDepth(k.frame, front);
@@ -253,7 +248,7 @@ void main() {
     if (nearer) valid = visibleTaps(expected, then, kPlaneReach_px * slope);
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
     float nearest_then = min(min(then.x, then.y), min(then.z, then.w));
-    if (outlineJitters(px, last_px, motion_px, nearest_then, disoccluded)) {
+    if (disoccluded && outlineJitters(px, last_px, told.front_px, motion_px, nearest_then)) {
       valid = vec4(1.0);
       disoccluded = false;
     }
@@ -281,7 +276,7 @@ void main() {
   }
   bool fine = kVariance == kVarianceFine || disoccluded;
   if (kVariance == kVarianceNone || kVariance == kVarianceCoarse) fine = false;
-  if (kVariance == kVarianceDynamic) fine = fine || atSilhouette(px);
+  if (kVariance == kVarianceDynamic) fine = fine || told.at_silhouette;
   bool mixes = kReconstruct == kReconstructAlways ||
                (kReconstruct == kReconstructFresh && held < k.mean_weight);
   Around around = aroundOf(own, px, last_px, center_px, fine || mixes);

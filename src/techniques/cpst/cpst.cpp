@@ -191,6 +191,11 @@ VkExtent2D momentTexels(VkExtent2D extent_px) {
           (extent_px.height + kMomentSize - 1) / kMomentSize};
 }
 
+// Two by two to 4 x 4 pixels (cpst_shared.h).
+VkExtent2D toldTexels(VkExtent2D extent_px) {
+  return {(extent_px.width + 3) / 4 * 2, (extent_px.height + 3) / 4 * 2};
+}
+
 class Cpst final : public Technique {
  public:
   void plan(const PlanRequest& request, RepriseSamplePlan& plan) const override {
@@ -219,8 +224,8 @@ class Cpst final : public Technique {
     moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
     told_wanted_ =
         s.choice(kVariance) == kVarianceDynamic || s.choice(kDisocclusion) == kDisocclusionTaps;
-    told_texels_ = d.history("silhouettes", VK_FORMAT_R32G32B32A32_UINT,
-                             told_wanted_ ? momentTexels(extent) : none, 1);
+    told_texels_ =
+        d.history("silhouettes", VK_FORMAT_R32_UINT, told_wanted_ ? toldTexels(extent) : none, 1);
     change_texels_ = d.history("change", VK_FORMAT_R16G16_SFLOAT, change_wanted_ ? tiles : none, 1);
     if (wide) {
       moments_ = d.pass({.name = "moments",
@@ -289,7 +294,7 @@ class Cpst final : public Technique {
           .read(state.frame.motion)
           .write(told.current(0))
           .constants(constants)
-          .dispatch(texels);
+          .dispatch(toldTexels(state.output_extent));
     }
     recorder.pass(resolve_)
         .read(state.frame.color)

@@ -116,13 +116,12 @@ struct Told {
 };
 
 Told toldOf(ivec2 px, ivec2 last_px) {
-  ivec2 block = px / int(kMomentSize);
-  ivec2 in_block = px - block * int(kMomentSize);
-  int pixel = in_block.y * int(kMomentSize) + in_block.x;
-  uvec3 words = texelFetch(silhouette_image, block, 0).xyz;
-  int point = int((pixel < 8 ? words.y : words.z) >> (4 * (pixel & 7)) & 15u);
+  uint told = texelFetch(silhouette_image, toldTexel(px), 0).x;
+  ivec2 in_lattice = px >> 1 & 1;
+  int pixel = 2 * in_lattice.y + in_lattice.x;
+  int point = int(told >> (4 * pixel + 4) & 15u);
   ivec2 front_px = px + 2 * ivec2(point % 3 - 1, point / 3 - 1);
-  return Told((words.x >> pixel & 1u) != 0u, clamp(front_px, ivec2(0), last_px));
+  return Told((told >> pixel & 1u) != 0u, clamp(front_px, ivec2(0), last_px));
 }
 
 // Whether what was nearer in history, at `then`, is still there two pixels around and moves with

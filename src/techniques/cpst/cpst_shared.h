@@ -53,6 +53,17 @@ struct CpstConstants {
   float padding_1;
 };
 
+#ifndef __cplusplus
+// cpst_silhouettes.comp tells of 4 x 4 pixels by 2 x 2 texels, each of four pixels that are two
+// apart: the first of a texel's.
+ivec2 toldPixel(ivec2 texel) {
+  return 4 * (texel >> 1) + (texel & 1);
+}
+ivec2 toldTexel(ivec2 px) {
+  return 2 * (px >> 2) + (px & 1);
+}
+#endif
+
 #ifdef __cplusplus
 static_assert(sizeof(CpstConstants) == sizeof(FrameConstants) + 64);
 }  // namespace cpst

@@ -41,6 +41,7 @@ void movingLight(PaperLab& lab, const std::string& name, const std::string& run,
       {"CBR", kCbr},
       {"CPS-T", kCpst},
       {"CPS-T as published", "cpst:preset=paper"},
+      {"CPS-T, change not followed", "cpst:change=false"},
       {"CPS-T, samples mixed everywhere", "cpst:reconstruct=always"},
       {"CPS-T, LoD 0", "cpst:variance=fine"}};
   std::vector<std::string> techniques;

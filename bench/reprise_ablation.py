@@ -27,10 +27,10 @@ INGREDIENTS = [
     ("history moved by Lanczos alone", "reprise:sharpness=1"),
     ("no depth test", "reprise:depth_tolerance=1"),
     ("farthest depth of one frame", "reprise:far_frames=0"),
-    ("what silhouettes leave not bounded", "reprise:bound_uncovered=3"),
+    ("what silhouettes leave counts as any", "reprise:history_uncovered=1e4"),
     ("always bounded by 1 deviation", "reprise:bound=1,bound_faint=1"),
     ("never bounded", "reprise:bound=1000,bound_faint=1000,bound_changed=1000,bound_still=1000,"
-                      "bound_uncovered=1000,bound_apart=1000"),
+                      "bound_apart=1000"),
     ("faint content bounded as any", "reprise:bound_faint=3"),
     ("surfaces moving apart bounded as any", "reprise:bound_apart=3"),
     ("flips do not widen the bound", "reprise:flips=0"),

@@ -220,9 +220,11 @@ TEST(HardCases, WhatWidensTheBoundPays) {
 TEST(HardCases, AGapMovesWithItsBars) {
   struct Bars {
     float slant, velocity_px, period_px;
+    double below_flat_db = 1.0;
   };
-  for (const Bars& bars :
-       {Bars{0.0f, 0.37f, 2.0f}, Bars{1.0f, 1.7f, 6.0f}, Bars{0.3f, 0.8f, 4.0f}}) {
+  // Bars that pass a sky at rest slowly leave a trail of a pixel: what keeps thin bars whole.
+  for (const Bars& bars : {Bars{0.0f, 0.37f, 2.0f}, Bars{1.0f, 1.7f, 6.0f}, Bars{0.3f, 0.8f, 4.0f},
+                           Bars{0.0f, 0.37f, 20.0f, 6.5}}) {
     const auto isBar = [&](float x, float y) {
       return std::fmod(x + bars.slant * y + 900.0f, bars.period_px) < 0.5f * bars.period_px;
     };
@@ -251,7 +253,7 @@ TEST(HardCases, AGapMovesWithItsBars) {
     const double deep = psnr(true);
     std::printf("bars of %.0f px, slant %.1f, %.2f px a frame: %.2f, over a sky at rest %.2f\n",
                 0.5 * bars.period_px, bars.slant, bars.velocity_px, flat, deep);
-    EXPECT_GT(deep, flat - 1.0);
+    EXPECT_GT(deep, flat - bars.below_flat_db);
   }
   expectNoValidationMessages();
 }

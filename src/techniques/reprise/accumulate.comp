@@ -51,6 +51,10 @@ const float kFaint = 0.05;
 // Motions of neighbours that differ by this much belong to surfaces that move apart (px a frame).
 const float kApart_px = 2.0;
 
+// At rest what a silhouette left counts for this share of what it counts for in motion: else it
+// stays as long as history does there.
+const float kUncoveredAtRest = 0.25;
+
 // What a frame adds to the samples held by the four texels of a pixel, together.
 const float kFrameWeight = 2.0;
 // A texel far from the sample still learns a little: 0 / 0 otherwise.
@@ -227,11 +231,12 @@ void main() {
     half_size = mix(half_size, mix(k.bound_faint, k.bound_changed, changed), faint);
     half_size = mix(half_size, k.bound_apart, movingApart(px, motion_px, last_px));
   }
-  half_size = mix(half_size, k.bound_uncovered, block.uncovered);
   float flipping = k.flips * (still ? kFlipsAtRest * then.w : max(0.0, then.w - k.chance_flips));
   flipping *= (1.0 - changed) * known;
   flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;
+  float behind = k.history_uncovered * (still ? kUncoveredAtRest : 1.0);
+  limit = min(limit, behind / max(block.uncovered, kSmallestWeight));
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.
   float held = 0.25 * (block.texel[0].a + block.texel[1].a + block.texel[2].a + block.texel[3].a);

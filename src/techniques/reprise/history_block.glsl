@@ -24,7 +24,7 @@ float[kTaps] tapWeights(float f, float sharpness) {
 
 struct HistoryBlock {
   vec4 texel[4];    // rgb linear, a: samples held; (0,0) (1,0) (0,1) (1,1)
-  float uncovered;  // share of taps that hold something closer that was seen there too
+  float uncovered;  // share of taps that hold something closer too, which moved on
   float weight[4];  // 0: nothing there to be had
 };
 
@@ -49,7 +49,8 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
   float valid_count = 0.0;
   for (int i = 0; i < 9; ++i) {
     ivec2 at_px = clamp(first_px + ivec2(i % 3, i / 3), ivec2(0), last_px);
-    vec2 depths = unpackedDepths(texelFetch(history_depth_image, at_px, 0).x);
+    uint word = texelFetch(history_depth_image, at_px, 0).x;
+    vec2 depths = unpackedDepths(word);
     // The surface's plane where that pixel's depth was sampled; the pixel's centre is 1 texel from
     // `at`.
     vec2 offset_px =
@@ -58,7 +59,8 @@ HistoryBlock historyBlock(sampler2D history_image, usampler2D history_depth_imag
     bool used = i % 3 < count_px.x && i / 3 < count_px.y;
     valid[i] = on_screen && used && there >= (1.0 - k.depth_tolerance) * depths.x ? 1.0 : 0.0;
     valid_count += valid[i];
-    block.uncovered += there >= (1.0 - k.depth_tolerance) * depths.y ? 0.0 : valid[i];
+    bool behind = there < (1.0 - k.depth_tolerance) * depths.y;
+    block.uncovered += behind && areParting(word) ? valid[i] : 0.0;
   }
   // Lobes with taps left out would overshoot: bilinear over what is there.
   bool whole = valid_count > float(count_px.x * count_px.y) - 0.5;

@@ -79,11 +79,13 @@ void main() {
   float turned = dot(c.xy, sample_px) + c.z;
   float far_then = far * turned / max(1.0 - c.w * far, 1.0e-3);
   vec2 apart_px = motionPx(k.frame, texelFetch(motion_image, px, 0).xy) - motion_px;
-  bool leaves = dot(apart_px, apart_px) > kLeftBehind_px * kLeftBehind_px;
+  float apart_square = dot(apart_px, apart_px);
+  bool leaves = apart_square > kLeftBehind_px * kLeftBehind_px;
   bool keep = !leaves && seen && farAge(lately) < uint(k.far_frames) && far_then < near[0];
+  bool parting = apart_square > kStillMotion_px * kStillMotion_px || (keep && areParting(lately));
   imageStore(next_depth_image, px,
-             uvec4(keep ? packedDepths(surface, far_then, farAge(lately) + 1u)
-                        : packedDepths(surface, leaves ? surface : near[0], 0u)));
+             uvec4(keep ? packedDepths(surface, far_then, farAge(lately) + 1u, parting)
+                        : packedDepths(surface, leaves ? surface : near[0], 0u, parting)));
   bool still = dot(motion_px, motion_px) < kStillMotion_px * kStillMotion_px;
   imageStore(
       predicted_image, px,

@@ -32,13 +32,19 @@ float nearness(FrameConstants frame, sampler2D depth_image, ivec2 px, ivec2 last
   return 1.0 / viewDepth(frame, texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x);
 }
 // History's depths as inverse view depths in halves: of the closest surface (the silhouettes' one),
-// and the farthest seen lately, whose last four bits give way to the frames since then.
-uint packedDepths(float near, float far, uint age) {
-  return (packHalf2x16(vec2(min(far, 65504.0), min(near, 65504.0))) & ~15u) | min(age, 15u);
+// and the farthest seen lately, whose last four bits give way to the frames since then. The sign
+// says whether they move against each other.
+const uint kPartingBit = 0x80000000u;
+uint packedDepths(float near, float far, uint age, bool parting) {
+  uint word = packHalf2x16(vec2(min(far, 65504.0), min(near, 65504.0)));
+  return (word & ~(kPartingBit | 15u)) | min(age, 15u) | (parting ? kPartingBit : 0u);
 }
 // x: farthest, y: closest.
 vec2 unpackedDepths(uint word) {
-  return unpackHalf2x16(word & ~15u);
+  return unpackHalf2x16(word & ~(kPartingBit | 15u));
+}
+bool areParting(uint word) {
+  return (word & kPartingBit) != 0u;
 }
 uint farAge(uint word) {
   return word & 15u;

@@ -88,7 +88,7 @@ RepriseConstants repriseConstants(const FrameState& state, VkExtent2D pixel_exte
   constants.sharpness =
       std::max(0.0f, s.real(kSharpness) - kSofter * std::max(0.0f, std::log2(doubt)));
   constants.depth_tolerance = s.real(kDepthTolerance);
-  constants.bound_uncovered = s.real(kBoundUncovered);
+  constants.history_uncovered = s.real(kHistoryUncovered);
   constants.bound_apart = s.real(kBoundApart);
   constants.flips = s.real(kFlips);
   constants.chance_flips = kChanceFlips * std::pow(doubt, -1.5f);

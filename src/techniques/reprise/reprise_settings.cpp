@@ -34,8 +34,10 @@ constexpr std::array<RepriseSettingInfo, kSettingCount> kTable = settingTable({
                   "the same with full evidence", "Salvi 2016: 0.75 to 1.25"),
     numberSetting(kBoundStill, "bound_still", 8.0, 0.0, 1000.0, "standard deviations",
                   "the same at rest, without evidence", "as taa"),
-    numberSetting(kBoundUncovered, "bound_uncovered", 1.0, 0.0, 1000.0, "standard deviations",
-                  "the same where history may be what a silhouette left", "experiment: README.md"),
+    numberSetting(kHistoryUncovered, "history_uncovered", 1.0, 0.0, 1.0e6, "samples",
+                  "what history counts for where it may be what a silhouette left, over the share "
+                  "that may be",
+                  "experiment: README.md"),
     numberSetting(
         kBoundApart, "bound_apart", 1.0, 0.0, 1000.0, "standard deviations",
         "the same where neighbours move apart by a pixel or two a frame: what a silhouette "

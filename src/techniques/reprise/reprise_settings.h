@@ -16,7 +16,7 @@ enum Setting : uint32_t {
   kBoundFaint,
   kBoundChanged,
   kBoundStill,
-  kBoundUncovered,
+  kHistoryUncovered,
   kBoundApart,
   kFlips,
   kFarFrames,

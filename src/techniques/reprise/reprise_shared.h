@@ -28,7 +28,7 @@ struct RepriseConstants {
   vec2 tile_uv;          // pixel to coordinate of the tile images
   vec2 last_tile_uv;     // coordinate of the last tile's centre
   float sample_width;    // output px
-  float bound_uncovered;
+  float history_uncovered;
   float history;  // samples a texel's mean goes on to in motion
   float still_history;
   float bound;           // half-size of the bound in standard deviations, without evidence

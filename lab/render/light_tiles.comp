@@ -8,7 +8,9 @@
 
 #include "lab/render/frame_data.h"
 
-layout(local_size_x = 16, local_size_y = 16) in;  // kLightTile_px
+// A quarter of a tile's pixels: each invocation has four, and what is the same for all lamps, the
+// tile's sides, is made a quarter as often.
+layout(local_size_x = 8, local_size_y = 8) in;
 
 layout(binding = 0, std140) uniform Frame {
   GpuFrame frame;
@@ -68,26 +70,29 @@ Ball ballOf(GpuLamp lamp) {
   return Ball(position_world + along * lamp.direction_outer.xyz, narrow ? along : sine * range_m);
 }
 
-// Signed distance, positive inside: clip coordinate `axis` times `side` is below `bound` times w.
-float insideOf(vec3 center_world, int axis, float bound, float side) {
-  mat4 m = transpose(frame.view_projection[0]);
-  vec4 plane = side * (bound * m[3] - m[axis]);
-  return dot(plane, vec4(center_world, 1.0)) / length(plane.xyz);
+// A side of the tile, clip coordinate `axis` times `side` below `bound` times w, as a plane whose
+// distances are positive inside.
+struct Side {
+  vec4 plane;
+  float scale;
+};
+Side sideOf(mat4 rows, int axis, float bound, float side) {
+  vec4 plane = side * (bound * rows[3] - rows[axis]);
+  return Side(plane, length(plane.xyz));
 }
 
-bool reaches(Ball ball, vec2 low_ndc, vec2 high_ndc, float nearest_m, float farthest_m) {
-  float depth_m = dot(transpose(frame.view_projection[0])[3], vec4(ball.center_world, 1.0));
+bool reaches(Ball ball, Side sides[4], vec4 depth_row, float nearest_m, float farthest_m) {
+  vec4 center = vec4(ball.center_world, 1.0);
+  float depth_m = dot(depth_row, center);
   bool in_depth = depth_m - ball.radius_m <= farthest_m && depth_m + ball.radius_m >= nearest_m;
-  float inside = min(min(insideOf(ball.center_world, 0, high_ndc.x, 1.0),
-                         insideOf(ball.center_world, 0, low_ndc.x, -1.0)),
-                     min(insideOf(ball.center_world, 1, high_ndc.y, 1.0),
-                         insideOf(ball.center_world, 1, low_ndc.y, -1.0)));
+  float inside = dot(sides[0].plane, center) / sides[0].scale;
+  for (int i = 1; i < 4; ++i) inside = min(inside, dot(sides[i].plane, center) / sides[i].scale);
   return in_depth && inside >= -ball.radius_m;
 }
 
 void main() {
   uint thread = gl_LocalInvocationIndex;
-  ivec2 px = ivec2(gl_GlobalInvocationID.xy);
+  ivec2 first_px = ivec2(gl_WorkGroupID.xy * kLightTile_px + gl_LocalInvocationID.xy);
   ivec2 last_px = ivec2(frame.extent_px) - 1;
   if (thread == 0u) {
     nearest_bits = 0u;
@@ -95,14 +100,20 @@ void main() {
   }
   if (thread < kLampWords) masks[thread] = 0u;
   barrier();
-  if (all(lessThanEqual(px, last_px))) {
-    float depth = texelFetch(depth_image, px, 0).x;
-    if (depth > 0.0) {
+  uint nearest = 0u;
+  uint farthest = 0xffffffffu;
+  for (int y = 0; y < int(kLightTile_px); y += int(gl_WorkGroupSize.y)) {
+    for (int x = 0; x < int(kLightTile_px); x += int(gl_WorkGroupSize.x)) {
+      ivec2 px = first_px + ivec2(x, y);
+      float depth = texelFetch(depth_image, min(px, last_px), 0).x;
+      if (any(greaterThan(px, last_px)) || !(depth > 0.0)) continue;
       float reach = kShadingReach_px * slopeAt(px, depth, last_px) + kDepthSlack * depth;
-      atomicMax(nearest_bits, floatBitsToUint(depth + reach));
-      atomicMin(farthest_bits, floatBitsToUint(max(depth - reach, 0.0)));
+      nearest = max(nearest, floatBitsToUint(depth + reach));
+      farthest = min(farthest, floatBitsToUint(max(depth - reach, 0.0)));
     }
   }
+  atomicMax(nearest_bits, nearest);
+  atomicMin(farthest_bits, farthest);
   barrier();
   float nearest_m = push.near_plane / max(uintBitsToFloat(nearest_bits), 1.0e-30);
   float farthest_m = push.near_plane / max(uintBitsToFloat(farthest_bits), 1.0e-30);
@@ -111,10 +122,13 @@ void main() {
   vec2 low_ndc = low_px / frame.extent_px * 2.0 - 1.0;
   vec2 high_ndc = high_px / frame.extent_px * 2.0 - 1.0;
   bool any_surface = nearest_bits != 0u;
+  mat4 rows = transpose(frame.view_projection[0]);
+  Side sides[4] = Side[4](sideOf(rows, 0, high_ndc.x, 1.0), sideOf(rows, 0, low_ndc.x, -1.0),
+                          sideOf(rows, 1, high_ndc.y, 1.0), sideOf(rows, 1, low_ndc.y, -1.0));
   for (uint i = thread; i < kLampCount; i += gl_WorkGroupSize.x * gl_WorkGroupSize.y) {
     bool wanted = push.cull == 0u;
     if (!wanted && any_surface) {
-      wanted = reaches(ballOf(lamps[i]), low_ndc, high_ndc, nearest_m, farthest_m);
+      wanted = reaches(ballOf(lamps[i]), sides, rows[3], nearest_m, farthest_m);
     }
     if (wanted) atomicOr(masks[i / 32u], 1u << (i % 32u));
   }

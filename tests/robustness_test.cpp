@@ -78,7 +78,7 @@ TEST_P(Robust, ANoNumberDoesNotSpread) {
   // The gain of light is a mean over 40 px that has a sample less to go by: 0.0013 was measured.
   // The slack is half a step of a display. Evidence of change is pooled over 3x3 of the prediction
   // and walks a pixel a frame, ever weaker: 1.7e-5 was measured 5 px away after 8 frames.
-  // Likewise of cpst, whose means are of 12 x 12 px: 0.0004.
+  // Likewise of cpst, whose means are of 12 x 12 px, in which it is black: 0.0004.
   const bool foretells = GetParam() == "reprise";
   const bool pools_light = foretells || GetParam() == "cpst";
   const Spread spreads[] = {{"still", 0.0f, 0.0f, 4, 0, 0.0f, 0.0f},

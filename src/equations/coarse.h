@@ -39,8 +39,8 @@ EQ_FN float changeCertainty(float difference, float error) {
 
 // What scales a mean of `before` to before + change, at most `most` times up or down.
 EQ_FN float changeGain(float before, float change, float most) {
-  const float least_before = 1.0e-4f;
-  return clamp((before + change) / max(before, least_before), 1.0f / most, most);
+  const float kLeastMean = 1.0e-4f;  // halves hold no ratio of less: their normal ones end at 6e-5
+  return clamp(1.0f + change / max(before, kLeastMean), 1.0f / most, most);
 }
 
 EQ_END

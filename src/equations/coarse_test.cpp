@@ -56,6 +56,7 @@ TEST(Coarse, ChangeIsWhatErrorDoesNotExplain) {
   EXPECT_NEAR(changeGain(0.5f, -0.2f, 8.0f), 0.6f, 1e-6f);
   EXPECT_NEAR(changeGain(0.5f, 0.25f, 8.0f), 1.5f, 1e-6f);
   EXPECT_EQ(changeGain(0.5f, 0.0f, 8.0f), 1.0f);
+  EXPECT_EQ(changeGain(1.0e-6f, 0.0f, 8.0f), 1.0f);
   EXPECT_EQ(changeGain(0.01f, 1.0f, 8.0f), 8.0f);
   EXPECT_EQ(changeGain(1.0f, -1.0f, 8.0f), 0.125f);
 }

@@ -36,18 +36,19 @@ const float kJitterShare = 1.0 / 15.0;
 // 29.65 dB of `paper cpst`, and has 29.3 at 1.
 const float kMostCaution = 4.0;
 
-// How far four pixels are from history, in luma, and the summed weight of that; 0 where there is
+// How far four pixels are from history, in luma, the summed weight of that, and 1; 0 where there is
 // none. Each lot by the motion of one pixel: a bilinear fetch at their corner is the mean of four
-// texels.
-vec2 differenceFromHistory(ivec2 square_px, ivec2 last_px, float luma) {
+// texels. Beyond the border lie the border's pixels, as fetchColor has it.
+vec3 differenceFromHistory(ivec2 square_px, ivec2 last_px, float luma) {
   vec2 motion_px = motionPx(k.frame, texelFetch(motion_image, min(square_px, last_px), 0).xy);
   vec2 extent_px = k.frame.previous_extent_px;
-  vec2 previous_px = (vec2(square_px) + 1.0 + motion_px) * (extent_px / k.frame.extent_px);
-  if (!isOnScreen(previous_px, extent_px)) return vec2(0.0);
+  vec2 corner_px = min(vec2(square_px) + 1.0, k.frame.extent_px);
+  vec2 previous_px = (corner_px + motion_px) * (extent_px / k.frame.extent_px);
+  if (!isOnScreen(previous_px, extent_px)) return vec3(0.0);
   vec4 history =
       bilinearHistory(history_image, previous_px, k.frame.history_texel_uv, extent_px - 0.5);
   float then = yCoCgFromRgb(sanitizedColor(history.rgb * k.frame.exposure_ratio)).x;
-  return vec2(luma - then, history.a);
+  return vec3(luma - then, history.a, 1.0);
 }
 
 void main() {
@@ -60,6 +61,7 @@ void main() {
   float difference = 0.0;
   float square_of_difference = 0.0;
   float held = 0.0;
+  float count = 0.0;
   for (int q = 0; q < kSquares; ++q) {
     ivec2 square_px = first_px + 2 * ivec2(q % 2, q / 2);
     float luma = 0.0;
@@ -71,20 +73,23 @@ void main() {
       luma += 0.25 * c.x;
     }
     if (kChange != 0u) {
-      vec2 d = differenceFromHistory(square_px, last_px, luma);
+      vec3 d = differenceFromHistory(square_px, last_px, luma);
       difference += d.x;
       square_of_difference += d.x * d.x;
       held = max(held, d.y);
+      count += d.z;
     }
   }
   float share = 1.0 / float(kMomentSize * kMomentSize);
   vec3 mean = sum * share;
-  vec3 variance = min(max(sum_of_squares * share - mean * mean, vec3(0.0)), vec3(kMaxColor));
-  difference /= float(kSquares);
-  float spread = max(square_of_difference / float(kSquares) - difference * difference, 0.0);
-  float error = sqrt(spread / float(kSquares) + kJitterShare * variance.x) + kBoundSlack * mean.x;
+  vec3 variance = max(sum_of_squares * share - mean * mean, vec3(0.0));
+  count = max(count, 1.0);
+  difference /= count;
+  float spread = max(square_of_difference / count - difference * difference, 0.0);
+  float error = sqrt(spread / count + kJitterShare * variance.x) + kBoundSlack * mean.x;
   error *= clamp(held / (k.held_limit + k.mean_weight), 1.0, kMostCaution);
   vec2 change = clamp(vec2(difference, error), vec2(-kMaxColor), vec2(kMaxColor));
+  variance = min(variance, vec3(kMaxColor));
   imageStore(moments_image, texel,
              uvec4(packHalf2x16(mean.xy), packHalf2x16(vec2(mean.z, variance.x)),
                    packHalf2x16(variance.yz), packHalf2x16(change)));

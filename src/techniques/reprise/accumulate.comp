@@ -52,7 +52,8 @@ const float kFaint = 0.05;
 const float kApart_px = 2.0;
 
 // At rest what a silhouette left counts for this share of what it counts for in motion: else it
-// stays as long as history does there.
+// stays as long as history does there. Bars of 10 px over a sky at rest have 32.1 dB at 0.5, 33.3
+// at 0.25 (AGapMovesWithItsBars), `hangar/fly` 0.03 less of tPSNR.
 const float kUncoveredAtRest = 0.25;
 
 // What a frame adds to the samples held by the four texels of a pixel, together.
@@ -236,7 +237,7 @@ void main() {
   flipping *= pooled.luma * per + kDarkest;
   float limit = still ? k.still_history : k.history;
   float behind = k.history_uncovered * (still ? kUncoveredAtRest : 1.0);
-  limit = min(limit, behind / max(block.uncovered, kSmallestWeight));
+  if (block.uncovered > 0.0) limit = min(limit, behind / block.uncovered);
   // Where little is held the frame is antialiased by itself. A loop, not a branch: CPU drivers run
   // both sides of a branch for every pixel.
   float held = 0.25 * (block.texel[0].a + block.texel[1].a + block.texel[2].a + block.texel[3].a);

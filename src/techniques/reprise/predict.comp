@@ -20,7 +20,7 @@ const float kLeftBehind_px = 0.5;
 layout(binding = 0) uniform sampler2D depth_image;
 layout(binding = 1) uniform sampler2D motion_image;
 layout(binding = 2) uniform sampler2D history_image;         // 2 x 2 texels a pixel
-layout(binding = 3) uniform usampler2D history_depth_image;  // packedFar
+layout(binding = 3) uniform usampler2D history_depth_image;  // packedDepths
 layout(binding = 4) writeonly uniform uimage2D next_depth_image;
 layout(binding = 5) writeonly uniform image2D predicted_image;  // rgb linear, a: kCross index
 layout(binding = 6, std140) uniform Constants {
@@ -82,6 +82,7 @@ void main() {
   float apart_square = dot(apart_px, apart_px);
   bool leaves = apart_square > kLeftBehind_px * kLeftBehind_px;
   bool keep = !leaves && seen && farAge(lately) < uint(k.far_frames) && far_then < near[0];
+  // Left behind, the farthest is no more than the closest: what lies there begins anew.
   bool parting = apart_square > kStillMotion_px * kStillMotion_px || (keep && areParting(lately));
   imageStore(next_depth_image, px,
              uvec4(keep ? packedDepths(surface, far_then, farAge(lately) + 1u, parting)

@@ -24,12 +24,12 @@ struct RepriseConstants {
   FrameConstants frame;
   vec2 output_extent_px;
   vec2 previous_output_extent_px;
-  vec2 output_texel_uv;  // 1 / largest extent of the output
-  vec2 tile_uv;          // pixel to coordinate of the tile images
-  vec2 last_tile_uv;     // coordinate of the last tile's centre
-  float sample_width;    // output px
-  float history_uncovered;
-  float history;  // samples a texel's mean goes on to in motion
+  vec2 output_texel_uv;     // 1 / largest extent of the output
+  vec2 tile_uv;             // pixel to coordinate of the tile images
+  vec2 last_tile_uv;        // coordinate of the last tile's centre
+  float sample_width;       // output px
+  float history_uncovered;  // samples, over the share of taps
+  float history;            // samples a texel's mean goes on to in motion
   float still_history;
   float bound;           // half-size of the bound in standard deviations, without evidence
   float bound_faint;     // where content is faint, without evidence

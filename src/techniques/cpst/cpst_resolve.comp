@@ -57,11 +57,6 @@ vec2 shadingSample(ivec2 px) {
          k.frame.jitter_px;
 }
 
-float shadingWeight(ivec2 px, vec2 center_px) {
-  if (kShadingFilter == 0u) return 1.0;
-  return gaussianFilter(length(shadingSample(px) - center_px), k.sigma_px);
-}
-
 float depthAt(ivec2 px, ivec2 last_px) {
   return texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x;
 }
@@ -157,15 +152,24 @@ Moments coarseMoments(vec2 center_px) {
 }
 
 struct Around {
+  vec3 own;      // the pixel's sample
+  float weight;  // and what it weighs by its distance (eq. 2)
   Moments fine;  // of 3 x 3 pixels
   vec3 mixed;    // samples of the same surface among them, by how close they were shaded (eq. 7)
 };
 
-// Of the samples around, where one of both is `wanted`: few pixels need either, mostly the same
-// ones. Of samples that are fetched here: kept from before they would be live through all that
-// comes between, and CPU drivers have no registers for them.
+// Offsets plus one of 3 x 3 pixels, two bits each: the middle first, then row by row.
+const uint kStepsX = 0x24891u;
+const uint kStepsY = 0x2a501u;
+
+// The pixel's own sample and, where one of both is `wanted`, those around: few pixels need either,
+// mostly the same ones. Of samples that are fetched here: kept from before they would be live
+// through all that comes between, and CPU drivers have no registers for them.
 Around aroundOf(float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted) {
   float own_depth = viewDepth(k.frame, own);
+  Around around;
+  around.own = vec3(0.0);
+  around.weight = 0.0;
   vec3 sum = vec3(0.0);
   vec3 sum_of_squares = vec3(0.0);
   vec3 mixed = vec3(0.0);
@@ -173,23 +177,28 @@ Around aroundOf(float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted)
   int count = wanted ? 9 : 1;
   int i = 0;
   do {
-    ivec2 at = clamp(px + ivec2(i % 3 - 1, i / 3 - 1), ivec2(0), last_px);
+    ivec2 at = px + ivec2(int(kStepsX >> 2 * i & 3u), int(kStepsY >> 2 * i & 3u)) - 1;
+    at = clamp(at, ivec2(0), last_px);
     vec3 c = yCoCgFromRgb(fetchColor(color_image, at, last_px));
     sum += c;
     sum_of_squares += c * c;
+    float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
+    around.own = i == 0 ? c : around.own;
+    around.weight = i == 0 ? w : around.weight;
     if (kReconstruct != kReconstructNone) {
       float depth = viewDepth(k.frame, depthAt(at, last_px));
-      float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
       if (!depthsAgree(own_depth, depth, kSameSurface)) w = 0.0;
-      if (i == 4) w = max(w, 1.0e-4);
+      if (i == 0) w = max(w, 1.0e-4);
       mixed += w * c;
       weights += w;
     }
     ++i;
   } while (i < count);
+  if (kShadingFilter == 0u) around.weight = 1.0;
   vec3 mean = sum * (1.0 / 9.0);
-  return Around(Moments(mean, deviationFromMoments(mean, sum_of_squares * (1.0 / 9.0))),
-                mixed / weights);
+  around.fine = Moments(mean, deviationFromMoments(mean, sum_of_squares * (1.0 / 9.0)));
+  around.mixed = mixed / weights;
+  return around;
 }
 
 // Of the taps with these depths, in which this surface was seen.
@@ -206,9 +215,6 @@ void main() {
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
   if (any(greaterThan(px, last_px))) return;
   vec2 center_px = vec2(px) + 0.5;
-  vec3 current = yCoCgFromRgb(fetchColor(color_image, px, last_px));
-  float weight = shadingWeight(px, center_px);
-
   float front;
   float own;
   Told told = toldOf(px, last_px);
@@ -279,6 +285,7 @@ void main() {
   bool mixes = kReconstruct == kReconstructAlways ||
                (kReconstruct == kReconstructFresh && held < k.mean_weight);
   Around around = aroundOf(own, px, last_px, center_px, fine || mixes);
+  vec3 current = around.own;
 
   vec3 bounded = previous;
   if (kVariance != kVarianceNone) {
@@ -291,11 +298,11 @@ void main() {
   }
 
   if (mixes) current = around.mixed;
-  float alpha = weightedMeanAlpha(weight, held);
+  float alpha = weightedMeanAlpha(around.weight, held);
   vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));
   vec3 stored = roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number, true);
   // Half precision loses small weights beside large sums: no more than 2048 of the smallest.
-  imageStore(next_history_image, px, vec4(stored, min(held + weight, 2048.0)));
+  imageStore(next_history_image, px, vec4(stored, min(held + around.weight, 2048.0)));
   imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));
   imageStore(output_image, px, vec4(result, 1.0));
 }

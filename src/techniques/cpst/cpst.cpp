@@ -226,7 +226,8 @@ class Cpst final : public Technique {
         s.choice(kVariance) == kVarianceDynamic || s.choice(kDisocclusion) == kDisocclusionTaps;
     told_texels_ =
         d.history("silhouettes", VK_FORMAT_R32_UINT, told_wanted_ ? toldTexels(extent) : none, 1);
-    change_texels_ = d.history("change", VK_FORMAT_R16G16_SFLOAT, change_wanted_ ? tiles : none, 1);
+    change_texels_ =
+        d.history("change", VK_FORMAT_R32G32B32A32_UINT, change_wanted_ ? tiles : none, 1);
     if (wide) {
       moments_ = d.pass({.name = "moments",
                          .spirv = kMomentsShader,
@@ -254,8 +255,8 @@ class Cpst final : public Technique {
         {.name = "resolve",
          .spirv = kResolveShader,
          .bindings = {Binding::kTexel, Binding::kTexel, Binding::kTexel, Binding::kTexel,
-                      Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kLinear,
-                      Binding::kStorage, Binding::kStorage, Binding::kStorage, Binding::kConstants},
+                      Binding::kTexel, Binding::kLinear, Binding::kTexel, Binding::kStorage,
+                      Binding::kStorage, Binding::kStorage, Binding::kConstants},
          .constant_bytes = sizeof(CpstConstants),
          .specialization = {s.choice(kVariance), s.choice(kClipAbout), s.choice(kDisocclusion),
                             s.choice(kShadingFilter), s.choice(kReconstruct),
@@ -300,11 +301,10 @@ class Cpst final : public Technique {
         .read(state.frame.color)
         .read(state.frame.depth)
         .read(state.frame.motion)
-        .read(moment_texels.current(0))
+        .read(change_wanted_ ? change.current(0) : moment_texels.current(0))
         .read(told.current(0))
         .read(color.previous(n))
         .read(depth.previous(n))
-        .read(change.current(0))
         .write(color.current(n))
         .write(depth.current(n))
         .write(state.frame.output.view)

@@ -13,8 +13,10 @@
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
-layout(binding = 0) uniform usampler2D moments_image;        // cpst_moments.comp
-layout(binding = 1) writeonly uniform image2D change_image;  // r: gain of history, g: certainty
+layout(binding = 0) uniform usampler2D moments_image;  // cpst_moments.comp
+// The same, of which the last word is now gain of history and certainty: the resolve needs both of
+// the same texels.
+layout(binding = 1) writeonly uniform uimage2D change_image;
 layout(binding = 2, std140) uniform Constants {
   CpstConstants k;
 };
@@ -43,5 +45,5 @@ void main() {
   float now = unpackHalf2x16(own.x).x;
   float own_difference = unpackHalf2x16(own.w).x;
   float gain = changeGain(now - own_difference, certainty * own_difference, kMostGain);
-  imageStore(change_image, texel, vec4(gain, certainty, 0.0, 0.0));
+  imageStore(change_image, texel, uvec4(own.xyz, packHalf2x16(vec2(gain, certainty))));
 }

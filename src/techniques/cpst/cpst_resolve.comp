@@ -29,15 +29,15 @@ layout(constant_id = 6) const uint kChange = 0u;
 layout(binding = 0) uniform sampler2D color_image;
 layout(binding = 1) uniform sampler2D depth_image;
 layout(binding = 2) uniform sampler2D motion_image;
-layout(binding = 3) uniform usampler2D moments_image;       // of 4 x 4 pixels; cpst_moments.comp
+// Of 4 x 4 pixels: cpst_moments.comp; with kChange the last word is cpst_change.comp's.
+layout(binding = 3) uniform usampler2D moments_image;
 layout(binding = 4) uniform usampler2D silhouette_image;    // cpst_silhouettes.comp
 layout(binding = 5) uniform sampler2D history_image;        // rgb linear, a: summed weight
 layout(binding = 6) uniform sampler2D history_depth_image;  // r: view depth
-layout(binding = 7) uniform sampler2D change_image;         // cpst_change.comp
-layout(binding = 8) writeonly uniform image2D next_history_image;
-layout(binding = 9) writeonly uniform image2D next_depth_image;
-layout(binding = 10) writeonly uniform image2D output_image;
-layout(binding = 11, std140) uniform Constants {
+layout(binding = 7) writeonly uniform image2D next_history_image;
+layout(binding = 8) writeonly uniform image2D next_depth_image;
+layout(binding = 9) writeonly uniform image2D output_image;
+layout(binding = 10, std140) uniform Constants {
   CpstConstants k;
 };
 
@@ -130,25 +130,33 @@ bool outlineJitters(ivec2 px, ivec2 last_px, ivec2 front_px, vec2 motion_px, flo
          length(motionAt(front_px) - motion_px) < k.uncover_motion_px;
 }
 
-// Moments at LoD 2 between texels: the mixture's variance is that of its parts and of their means.
-Moments coarseMoments(vec2 center_px) {
+struct Coarse {
+  Moments moments;
+  vec2 change;  // gain of history, certainty
+};
+
+// Moments at LoD 2 and change between texels: a mixture's variance is that of its parts and of
+// their means.
+Coarse coarseOf(vec2 center_px) {
   vec2 at = center_px / float(kMomentSize) - 0.5;
   ivec2 base = ivec2(floor(at));
   vec2 f = at - vec2(base);
   ivec2 last = (ivec2(k.frame.extent_px) - 1) / int(kMomentSize);
   vec3 mean = vec3(0.0);
   vec3 square = vec3(0.0);
+  vec2 change = vec2(0.0);
   for (int i = 0; i < 4; ++i) {
     ivec2 corner = ivec2(i % 2, i / 2);
     vec2 w = mix(1.0 - f, f, vec2(corner));
     ivec2 texel = clamp(base + corner, ivec2(0), last);
-    uvec3 packed = texelFetch(moments_image, texel, 0).xyz;
+    uvec4 packed = texelFetch(moments_image, texel, 0);
     vec2 between = unpackHalf2x16(packed.y);
     vec3 m = vec3(unpackHalf2x16(packed.x), between.x);
     mean += w.x * w.y * m;
     square += w.x * w.y * (vec3(between.y, unpackHalf2x16(packed.z)) + m * m);
+    if (kChange != 0u) change += w.x * w.y * unpackHalf2x16(packed.w);
   }
-  return Moments(mean, deviationFromMoments(mean, square));
+  return Coarse(Moments(mean, deviationFromMoments(mean, square)), change);
 }
 
 struct Around {
@@ -271,13 +279,11 @@ void main() {
   float held = hit ? min(history.a, still ? k.held_limit_still : k.held_limit) : 0.0;
 
   vec3 previous = yCoCgFromRgb(sanitizedColor(history.rgb * k.frame.exposure_ratio));
+  Coarse coarse;
+  if (kChange != 0u || kVariance >= kVarianceCoarse) coarse = coarseOf(center_px);
   if (kChange != 0u) {
-    // Texels beyond those of this extent hold what a larger one left.
-    vec2 last_texel_px = vec2(last_px / int(kMomentSize)) + 0.5;
-    vec2 at = min(center_px / float(kMomentSize), last_texel_px);
-    vec2 change = textureLod(change_image, at / vec2(textureSize(change_image, 0)), 0.0).xy;
-    previous *= change.x;
-    held *= 1.0 - change.y;
+    previous *= coarse.change.x;
+    held *= 1.0 - coarse.change.y;
   }
   bool fine = kVariance == kVarianceFine || disoccluded;
   if (kVariance == kVarianceNone || kVariance == kVarianceCoarse) fine = false;
@@ -290,7 +296,7 @@ void main() {
   vec3 bounded = previous;
   if (kVariance != kVarianceNone) {
     Moments m = around.fine;
-    if (!fine) m = coarseMoments(center_px);
+    if (kVariance >= kVarianceCoarse && !fine) m = coarse.moments;
     float gamma = still ? k.gamma_still : k.gamma;
     vec3 middle = kAbout == kAboutOwn ? current : m.mean;
     vec3 reach = gamma * m.deviation + boundSlack(previous, current);

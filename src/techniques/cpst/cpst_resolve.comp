@@ -225,7 +225,10 @@ void main() {
   vec2 center_px = vec2(px) + 0.5;
   float front;
   float own;
-  Told told = toldOf(px, last_px);
+  Told told = Told(false, px);
+  if (kVariance == kVarianceDynamic || kDisocclusion == kDisocclusionTaps) {
+    told = toldOf(px, last_px);
+  }
   ivec2 front_px = nearestOfCross(px, last_px, front, own);
   vec2 motion_px = motionAt(front_px);
   float view_depth = viewDepth(k.frame, front);
@@ -305,8 +308,8 @@ void main() {
 
   if (mixes) current = around.mixed;
   float alpha = weightedMeanAlpha(around.weight, held);
-  vec3 result = max(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0));
-  vec3 stored = roundedToHalf(min(result, vec3(kMaxColor)), px, k.frame.frame_number, true);
+  vec3 result = clamp(rgbFromYCoCg(mix(bounded, current, alpha)), vec3(0.0), vec3(kMaxColor));
+  vec3 stored = roundedToHalf(result, px, k.frame.frame_number, true);
   // Half precision loses small weights beside large sums: no more than 2048 of the smallest.
   imageStore(next_history_image, px, vec4(stored, min(held + around.weight, 2048.0)));
   imageStore(next_depth_image, px, vec4(view_depth, 0.0, 0.0, 0.0));

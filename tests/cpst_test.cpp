@@ -76,7 +76,7 @@ bool isSilhouette(int x, int y, float board_px) {
       front = motion;
     }
   }
-  return eq::isSilhouette(own, front, longest_px, 0.3f);
+  return eq::isSilhouette(own, front, longest_px * longest_px, 0.3f);
 }
 
 class Cpst : public ::testing::TestWithParam<float> {};

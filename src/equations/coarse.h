@@ -11,8 +11,8 @@ EQ_BEGIN
 // pixels begin at `origin_px`, 0 <= origin_px < size.
 EQ_FN float coarseCentre(int px, int size, int origin_px) {
   // In floats, since CPU drivers divide integers lane by lane. Half a pixel in, so that no rounding
-  // of the division reaches a border.
-  float block = floor((float(px - origin_px) + 0.5f) / float(size));
+  // of the quotient reaches a border.
+  float block = floor((float(px - origin_px) + 0.5f) * (1.0f / float(size)));
   return (block + 0.5f) * float(size) + float(origin_px);
 }
 
@@ -24,10 +24,11 @@ EQ_FN float weightedMeanAlpha(float weight, float held) {
 }
 
 // Section 3.2: a pixel lies at a silhouette where its motion differs from that of the front-most
-// surface two pixels around by more than a share of the longest motion there.
-EQ_FN bool isSilhouette(vec2 own_px, vec2 front_px, float longest_px, float share) {
+// surface two pixels around by more than a share of the longest motion there, here that motion's
+// square (px^2).
+EQ_FN bool isSilhouette(vec2 own_px, vec2 front_px, float longest_square, float share) {
   vec2 difference_px = vec2(own_px.x - front_px.x, own_px.y - front_px.y);
-  return length(difference_px) > share * longest_px;
+  return dot(difference_px, difference_px) > share * share * longest_square;
 }
 
 // How much of a difference of means is change, not error: James and Stein 1961, "Estimation with

@@ -41,8 +41,8 @@ TEST(Coarse, WeightedMeansAreMeans) {
 }
 
 TEST(Coarse, SilhouettesAreDifferencesOfMotion) {
-  EXPECT_FALSE(isSilhouette(vec2(4, 0), vec2(5, 0), 5.0f, 0.3f));
-  EXPECT_TRUE(isSilhouette(vec2(3, 0), vec2(5, 0), 5.0f, 0.3f));
+  EXPECT_FALSE(isSilhouette(vec2(4, 0), vec2(5, 0), 25.0f, 0.3f));
+  EXPECT_TRUE(isSilhouette(vec2(3, 0), vec2(5, 0), 25.0f, 0.3f));
   EXPECT_FALSE(isSilhouette(vec2(0, 0), vec2(0, 0), 0.0f, 0.3f));
 }
 

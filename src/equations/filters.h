@@ -38,8 +38,11 @@ EQ_FN float blackmanHarrisWindow(float x, float width) {
   return 0.35875f - 0.48829f * cos(t) + 0.14128f * cos(2.0f * t) - 0.01168f * cos(3.0f * t);
 }
 
+EQ_FN float gaussianOfSquare(float square, float sigma) {
+  return exp(-0.5f / (sigma * sigma) * square);
+}
 EQ_FN float gaussianFilter(float x, float sigma) {
-  return exp(-0.5f * x * x / (sigma * sigma));
+  return gaussianOfSquare(x * x, sigma);
 }
 
 // sinc(x) sinc(x / lobes), support `lobes`; Duchon 1979.

@@ -11,6 +11,13 @@ EQ_FN float viewDepthFromDepth(vec4 k, float depth) {
   return (k.x * depth + k.y) / (k.z * depth + k.w);
 }
 
+// |d(1 / view_depth) / d(depth)|: what turns a slope of depths into one of inverse view depths. A
+// constant in perspective.
+EQ_FN float inverseDepthSlope(vec4 k, float depth) {
+  float numerator = k.x * depth + k.y;
+  return abs(k.z * k.y - k.x * k.w) / max(numerator * numerator, 1.0e-24f);
+}
+
 // View depth in the previous frame of a point that did not move in the world and is now at `px`
 // with `view_depth` (previousDepthCoefficients).
 EQ_FN float expectedPreviousDepth(vec4 k, vec2 px, float view_depth) {

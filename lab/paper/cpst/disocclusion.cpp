@@ -47,7 +47,7 @@ class Tests {
     const float then_x = std::floor(static_cast<float>(x) + motion_px[0]);
     const float then_y = std::floor(static_cast<float>(y) + motion_px[1]);
     const float expected = value(now_.previous_view_depth, front[0], front[1]);
-    const float slope = kPlaneReach_px * inverseSlope(front[0], front[1]);
+    const float slope = kPlaneReach_px * inverseSlope(x, y);
     float farthest = 0.0f;
     int valid = 0;
     for (int i = 0; i < 4; ++i) {

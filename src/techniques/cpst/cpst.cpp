@@ -225,7 +225,7 @@ class Cpst final : public Technique {
     told_wanted_ =
         s.choice(kVariance) == kVarianceDynamic || s.choice(kDisocclusion) == kDisocclusionTaps;
     told_texels_ =
-        d.history("silhouettes", VK_FORMAT_R32_UINT, told_wanted_ ? toldTexels(extent) : none, 1);
+        d.history("silhouettes", VK_FORMAT_R32G32_UINT, told_wanted_ ? toldTexels(extent) : none, 1);
     change_texels_ =
         d.history("change", VK_FORMAT_R32G32B32A32_UINT, change_wanted_ ? tiles : none, 1);
     if (wide) {

@@ -61,73 +61,56 @@ float depthAt(ivec2 px, ivec2 last_px) {
   return texelFetch(depth_image, clamp(px, ivec2(0), last_px), 0).x;
 }
 
-// The nearest of a pixel and its four neighbours (section 3.2 of the paper), its depth and the
-// pixel's own.
-ivec2 nearestOfCross(ivec2 px, ivec2 last_px, out float nearest, out float own) {
-  ivec2 best_px = px;
+// What a pixel and its four neighbours tell.
+struct Cross {
+  ivec2 front_px;  // the nearest (section 3.2 of the paper)
+  float front;     // its depth
+  float own;       // the pixel's own
+  float slope;     // change of depth over a pixel, both axes together
+};
+
+Cross crossOf(ivec2 px, ivec2 last_px) {
+  Cross c;
   float order = k.frame.depth_order;
-  own = depthAt(px, last_px);
-  float best = own * order;
+  c.front_px = px;
+  c.own = depthAt(px, last_px);
+  c.slope = 0.0;
+  float best = c.own * order;
+  float before = 0.0;
   for (int i = 0; i < 4; ++i) {
     ivec2 step = i < 2 ? ivec2(2 * i - 1, 0) : ivec2(0, 2 * i - 5);
     ivec2 at = clamp(px + step, ivec2(0), last_px);
-    float depth = depthAt(at, last_px) * order;
-    if (depth < best) {
-      best = depth;
-      best_px = at;
+    float depth = depthAt(at, last_px);
+    // Of each axis the smaller of both sides, since a silhouette is on one.
+    float change = abs(depth - c.own);
+    if ((i & 1) == 1) c.slope += min(before, change);
+    before = change;
+    if (depth * order < best) {
+      best = depth * order;
+      c.front_px = at;
     }
   }
-  nearest = best * order;
-  return best_px;
-}
-
-// Change of inverse depth over a pixel, both axes together: of each axis the smaller of both sides,
-// since a silhouette is on one. Of use where `wanted`.
-float inverseSlope(ivec2 px, ivec2 last_px, float own_depth, bool wanted) {
-  float own = 1.0 / own_depth;
-  float sum = 0.0;
-  float before = 0.0;
-  int count = wanted ? 4 : 1;
-  int i = 0;
-  do {
-    int side = 2 * (i & 1) - 1;
-    ivec2 at = px + (i < 2 ? ivec2(side, 0) : ivec2(0, side));
-    float change = abs(1.0 / viewDepth(k.frame, depthAt(at, last_px)) - own);
-    sum += (i & 1) == 0 ? 0.0 : min(before, change);
-    before = change;
-    ++i;
-  } while (i < count);
-  return sum;
+  c.front = best * order;
+  return c;
 }
 
 vec2 motionAt(ivec2 px) {
   return motionPx(k.frame, texelFetch(motion_image, px, 0).xy);
 }
 
-// What cpst_silhouettes.comp tells of a pixel.
-struct Told {
-  bool at_silhouette;  // eq. 4
-  ivec2 front_px;      // front-most of nine points two pixels apart
-};
-
-Told toldOf(ivec2 px, ivec2 last_px) {
-  uint told = texelFetch(silhouette_image, toldTexel(px), 0).x;
-  ivec2 in_lattice = px >> 1 & 1;
-  int pixel = 2 * in_lattice.y + in_lattice.x;
-  int point = int(told >> (4 * pixel + 4) & 15u);
-  ivec2 front_px = px + 2 * ivec2(point % 3 - 1, point / 3 - 1);
-  return Told((told >> pixel & 1u) != 0u, clamp(front_px, ivec2(0), last_px));
+uint toldOf(ivec2 px) {
+  uvec2 told = texelFetch(silhouette_image, toldTexel(px), 0).xy;
+  uint row = (px.y & 2) == 0 ? told.x : told.y;
+  return (px.x & 2) == 0 ? row & 0xffffu : row >> 16;
 }
 
 // Whether what was nearer in history, at `then`, is still there two pixels around and moves with
 // the surface. Then nothing was uncovered: a jitter drew their outline elsewhere, and history's
 // colours are a mean over such outlines.
-bool outlineJitters(ivec2 px, ivec2 last_px, ivec2 front_px, vec2 motion_px, float then) {
-  float expected =
-      expectedPreviousDepth(k.frame.previous_depth_coefficients, vec2(px) + 0.5 - k.frame.jitter_px,
-                            viewDepth(k.frame, depthAt(front_px, last_px)));
-  return wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) &&
-         length(motionAt(front_px) - motion_px) < k.uncover_motion_px;
+bool outlineJitters(uint told, vec2 sample_px, float then) {
+  float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients, sample_px,
+                                         toldDepth(told));
+  return wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) && toldTogether(told);
 }
 
 struct Coarse {
@@ -190,7 +173,8 @@ Around aroundOf(float own, ivec2 px, ivec2 last_px, vec2 center_px, bool wanted)
     vec3 c = yCoCgFromRgb(fetchColor(color_image, at, last_px));
     sum += c;
     sum_of_squares += c * c;
-    float w = gaussianFilter(length(shadingSample(at) - center_px), k.sigma_px);
+    vec2 from_px = shadingSample(at) - center_px;
+    float w = gaussianOfSquare(dot(from_px, from_px), k.sigma_px);
     around.own = i == 0 ? c : around.own;
     around.weight = i == 0 ? w : around.weight;
     if (kReconstruct != kReconstructNone) {
@@ -223,15 +207,11 @@ void main() {
   ivec2 last_px = ivec2(k.frame.extent_px) - 1;
   if (any(greaterThan(px, last_px))) return;
   vec2 center_px = vec2(px) + 0.5;
-  float front;
-  float own;
-  Told told = Told(false, px);
-  if (kVariance == kVarianceDynamic || kDisocclusion == kDisocclusionTaps) {
-    told = toldOf(px, last_px);
-  }
-  ivec2 front_px = nearestOfCross(px, last_px, front, own);
-  vec2 motion_px = motionAt(front_px);
-  float view_depth = viewDepth(k.frame, front);
+  uint told = 0u;
+  if (kVariance == kVarianceDynamic || kDisocclusion == kDisocclusionTaps) told = toldOf(px);
+  Cross near = crossOf(px, last_px);
+  vec2 motion_px = motionAt(near.front_px);
+  float view_depth = viewDepth(k.frame, near.front);
   vec2 previous_extent_px = k.frame.previous_extent_px;
   vec2 previous_px = (center_px + motion_px) * (previous_extent_px / k.frame.extent_px);
   vec2 inside_px = clamp(previous_px, vec2(0.5), previous_extent_px - 0.5);
@@ -257,14 +237,11 @@ void main() {
     float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients,
                                            center_px - k.frame.jitter_px, view_depth);
     expected = min(expected, kMaxViewDepth);
-    valid = visibleTaps(expected, then, 0.0);
-    // Few taps are nearer at all: the plane is asked for those.
-    bool nearer = dot(valid, vec4(1.0)) < 3.5;
-    float slope = inverseSlope(front_px, last_px, view_depth, nearer);
-    if (nearer) valid = visibleTaps(expected, then, kPlaneReach_px * slope);
+    float slope = near.slope * inverseDepthSlope(k.frame.view_depth_coefficients, near.own);
+    valid = visibleTaps(expected, then, kPlaneReach_px * slope);
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
     float nearest_then = min(min(then.x, then.y), min(then.z, then.w));
-    if (disoccluded && outlineJitters(px, last_px, told.front_px, motion_px, nearest_then)) {
+    if (disoccluded && outlineJitters(told, center_px - k.frame.jitter_px, nearest_then)) {
       valid = vec4(1.0);
       disoccluded = false;
     }
@@ -290,10 +267,10 @@ void main() {
   }
   bool fine = kVariance == kVarianceFine || disoccluded;
   if (kVariance == kVarianceNone || kVariance == kVarianceCoarse) fine = false;
-  if (kVariance == kVarianceDynamic) fine = fine || told.at_silhouette;
+  if (kVariance == kVarianceDynamic) fine = fine || toldSilhouette(told);
   bool mixes = kReconstruct == kReconstructAlways ||
                (kReconstruct == kReconstructFresh && held < k.mean_weight);
-  Around around = aroundOf(own, px, last_px, center_px, fine || mixes);
+  Around around = aroundOf(near.own, px, last_px, center_px, fine || mixes);
   vec3 current = around.own;
 
   vec3 bounded = previous;

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: MIT
 //
-// Of each pixel, which of the nine points two pixels apart is front-most, and whether it lies at a
-// silhouette (eq. 4 of README.md). Here and not in the resolve, since pixels two apart share those
+// Of each pixel the depth of the front-most of nine points two pixels apart, whether that moves with
+// it, and whether it lies at a silhouette (eq. 4 of README.md). Here and not in the resolve, since pixels two apart share those
 // points: an invocation has a lattice of 4 x 4 points two pixels apart, of which the inner four are
 // the pixels that it tells of, and fetches each point once for all of them.
 #version 450
@@ -16,8 +16,7 @@ layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_S
 
 layout(binding = 0) uniform sampler2D depth_image;
 layout(binding = 1) uniform sampler2D motion_image;
-// A texel for four pixels, 2 * y + x in their lattice. Bits 0 to 3: at a silhouette; then four bits
-// each: the front-most point, 0 to 8, 4 being the pixel.
+// A texel for four pixels, 2 * y + x in their lattice, a word each (cpst_shared.h).
 layout(binding = 2) writeonly uniform uimage2D silhouette_image;
 layout(binding = 3, std140) uniform Constants {
   CpstConstants k;
@@ -34,37 +33,34 @@ void main() {
 
   float depths[kPoints];
   float squares[kPoints];
-  vec2 motions[kPoints];
+  vec2 motions_px[kPoints];
   for (int i = 0; i < kPoints; ++i) {
     ivec2 at = clamp(first_px + 2 * (ivec2(i % kSide, i / kSide) - 1), ivec2(0), last_px);
     depths[i] = texelFetch(depth_image, at, 0).x * k.frame.depth_order;
-    motions[i] = motionPx(k.frame, texelFetch(motion_image, at, 0).xy);
-    squares[i] = dot(motions[i], motions[i]);
+    motions_px[i] = motionPx(k.frame, texelFetch(motion_image, at, 0).xy);
+    squares[i] = dot(motions_px[i], motions_px[i]);
   }
-  uint told = 0u;
+  uvec2 told = uvec2(0u);
   for (int i = 0; i < 4; ++i) {
     int own = (i / 2 + 1) * kSide + i % 2 + 1;
-    float nearest = 3.0e38;
-    vec2 front_motion = motions[own];
-    uint front = 4u;
+    // Of (4) are the eight points around; of equal depths the first counts.
+    float front = 3.0e38;
+    vec2 front_motion_px = motions_px[own];
     float longest = squares[own];
-    bool own_nearer = false;
     for (int n = 0; n < 9; ++n) {
-      // Of (4) are the eight points around; of equal depths the first counts.
-      if (n == 4) {
-        own_nearer = depths[own] < nearest;
-        continue;
-      }
+      if (n == 4) continue;
       int at = own + (n / 3 - 1) * kSide + n % 3 - 1;
-      bool nearer = depths[at] < nearest;
-      front = nearer ? uint(n) : front;
-      front_motion = nearer ? motions[at] : front_motion;
-      nearest = nearer ? depths[at] : nearest;
+      bool nearer = depths[at] < front;
+      front_motion_px = nearer ? motions_px[at] : front_motion_px;
+      front = nearer ? depths[at] : front;
       longest = max(longest, squares[at]);
     }
-    if (own_nearer && depths[own] <= nearest) front = 4u;
-    bool found = isSilhouette(motions[own], front_motion, sqrt(longest), k.silhouette_share);
-    told |= uint(found) << i | front << (4 * i + 4);
+    bool found = isSilhouette(motions_px[own], front_motion_px, longest, k.silhouette_share);
+    vec2 apart_px = front_motion_px - motions_px[own];
+    bool own_front = depths[own] <= front;
+    bool together = own_front || dot(apart_px, apart_px) < k.uncover_motion_px * k.uncover_motion_px;
+    float front_depth = viewDepth(k.frame, min(depths[own], front) * k.frame.depth_order);
+    told[i / 2] |= toldBits(front_depth, together, found) << (16 * (i % 2));
   }
-  imageStore(silhouette_image, texel, uvec4(told, 0u, 0u, 0u));
+  imageStore(silhouette_image, texel, uvec4(told, 0u, 0u));
 }

@@ -224,8 +224,8 @@ class Cpst final : public Technique {
     moment_texels_ = d.history("moments", VK_FORMAT_R32G32B32A32_UINT, tiles, 1);
     told_wanted_ =
         s.choice(kVariance) == kVarianceDynamic || s.choice(kDisocclusion) == kDisocclusionTaps;
-    told_texels_ =
-        d.history("silhouettes", VK_FORMAT_R32G32_UINT, told_wanted_ ? toldTexels(extent) : none, 1);
+    told_texels_ = d.history("silhouettes", VK_FORMAT_R32G32_UINT,
+                             told_wanted_ ? toldTexels(extent) : none, 1);
     change_texels_ =
         d.history("change", VK_FORMAT_R32G32B32A32_UINT, change_wanted_ ? tiles : none, 1);
     if (wide) {

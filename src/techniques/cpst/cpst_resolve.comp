@@ -108,8 +108,8 @@ uint toldOf(ivec2 px) {
 // the surface. Then nothing was uncovered: a jitter drew their outline elsewhere, and history's
 // colours are a mean over such outlines.
 bool outlineJitters(uint told, vec2 sample_px, float then) {
-  float expected = expectedPreviousDepth(k.frame.previous_depth_coefficients, sample_px,
-                                         toldDepth(told));
+  float expected =
+      expectedPreviousDepth(k.frame.previous_depth_coefficients, sample_px, toldDepth(told));
   return wasVisible(min(expected, kMaxViewDepth), then, k.depth_tolerance) && toldTogether(told);
 }
 

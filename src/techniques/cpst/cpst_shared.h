@@ -64,8 +64,8 @@ ivec2 toldTexel(ivec2 px) {
 }
 
 // 16 bits for each of them: view depth of the front-most of nine points two pixels apart, whether
-// that moves with the pixel, and whether the pixel is at a silhouette (eq. 4). Of the depth 6 bits of
-// exponent and 8 of mantissa, 2^-31 to 2^33: within 0.2 %, where it is compared by 2 %.
+// that moves with the pixel, and whether the pixel is at a silhouette (eq. 4). Of the depth 6 bits
+// of exponent and 8 of mantissa, 2^-31 to 2^33: within 0.2 %, where it is compared by 2 %.
 const uint kToldExponent = (127u - 31u) << 23;
 const uint kToldShift = 15u;
 uint toldBits(float view_depth, bool together, bool at_silhouette) {

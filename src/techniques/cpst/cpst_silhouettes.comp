@@ -1,9 +1,10 @@
 // SPDX-License-Identifier: MIT
 //
-// Of each pixel the depth of the front-most of nine points two pixels apart, whether that moves with
-// it, and whether it lies at a silhouette (eq. 4 of README.md). Here and not in the resolve, since pixels two apart share those
-// points: an invocation has a lattice of 4 x 4 points two pixels apart, of which the inner four are
-// the pixels that it tells of, and fetches each point once for all of them.
+// Of each pixel the depth of the front-most of nine points two pixels apart, whether that moves
+// with it, and whether it lies at a silhouette (eq. 4 of README.md). Here and not in the resolve,
+// since pixels two apart share those points: an invocation has a lattice of 4 x 4 points two pixels
+// apart, of which the inner four are the pixels that it tells of, and fetches each point once for
+// all of them.
 #version 450
 #extension GL_GOOGLE_include_directive : require
 
@@ -58,7 +59,8 @@ void main() {
     bool found = isSilhouette(motions_px[own], front_motion_px, longest, k.silhouette_share);
     vec2 apart_px = front_motion_px - motions_px[own];
     bool own_front = depths[own] <= front;
-    bool together = own_front || dot(apart_px, apart_px) < k.uncover_motion_px * k.uncover_motion_px;
+    bool together =
+        own_front || dot(apart_px, apart_px) < k.uncover_motion_px * k.uncover_motion_px;
     float front_depth = viewDepth(k.frame, min(depths[own], front) * k.frame.depth_order);
     told[i / 2] |= toldBits(front_depth, together, found) << (16 * (i % 2));
   }

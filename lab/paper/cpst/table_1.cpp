@@ -56,6 +56,7 @@ void table1(PaperLab& lab, Outcome& outcome) {
                   "times", fmt::format("at most {}", kMostOfTaa),
                   ours.resolve_ms <= kMostOfTaa * ps.resolve_ms);
   }
+  noteColdPrograms(lab, outcome);
   outcome.note(fmt::format(
       "Published: 1920 x 1080 on a GTX 1080; here {} x {} on {}. Visibility: depth and triangle of "
       "every pixel at full rate, the same for all; lighting: shading and the lights of each tile.",

@@ -120,6 +120,7 @@ void table2(PaperLab& lab, Outcome& outcome) {
   outcome.linePlot(text("Measured"), here);
   outcome.linePlot(text("Published"), there);
   outcome.heatMaps({"Lights of each tile", "tile", "tile", "lights"}, maps);
+  noteColdPrograms(lab, outcome);
   outcome.note(fmt::format(
       "Published: Sponza at 1920 x 1080 on a GTX 1080, up to 32 lights and more a tile; here {} x "
       "{}. All methods take turns frame by frame.",

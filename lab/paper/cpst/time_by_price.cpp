@@ -75,6 +75,7 @@ void timeByPrice(PaperLab& lab, Outcome& outcome) {
                 {"reach", "PS, ms", "lighting's share of PS", "PS over 32 lights", "frame",
                  "lighting", "evaluations"},
                 lines);
+  noteColdPrograms(lab, outcome);
   outcome.note(fmt::format(
       "Lights' share of a frame is what decides: 0.91 in the paper at 512 lights, where PS's frame "
       "takes 6.8 times as long as with 32. {} x {}, all methods in turn frame by frame.",

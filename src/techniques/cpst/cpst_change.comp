@@ -21,7 +21,8 @@ layout(binding = 2, std140) uniform Constants {
   CpstConstants k;
 };
 
-// History is scaled by no more: what was all but black has no colour to scale.
+// History is scaled by no more: what was all but black has no colour to scale. Of no weight on what
+// was tried: 2 to 32 differ by 0.01 dB on indoor/fly, hangar/fly and lights/dolly.
 const float kMostGain = 8.0;
 
 void main() {

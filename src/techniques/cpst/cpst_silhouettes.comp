@@ -57,10 +57,9 @@ void main() {
       longest = max(longest, squares[at]);
     }
     bool found = isSilhouette(motions_px[own], front_motion_px, longest, k.silhouette_share);
-    vec2 apart_px = front_motion_px - motions_px[own];
-    bool own_front = depths[own] <= front;
-    bool together =
-        own_front || dot(apart_px, apart_px) < k.uncover_motion_px * k.uncover_motion_px;
+    // The pixel itself counts here.
+    vec2 apart_px = depths[own] <= front ? vec2(0.0) : front_motion_px - motions_px[own];
+    bool together = dot(apart_px, apart_px) < k.uncover_motion_px * k.uncover_motion_px;
     float front_depth = viewDepth(k.frame, min(depths[own], front) * k.frame.depth_order);
     told[i / 2] |= toldBits(front_depth, together, found) << (16 * (i % 2));
   }

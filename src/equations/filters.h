@@ -38,6 +38,7 @@ EQ_FN float blackmanHarrisWindow(float x, float width) {
   return 0.35875f - 0.48829f * cos(t) + 0.14128f * cos(2.0f * t) - 0.01168f * cos(3.0f * t);
 }
 
+// Of x^2, which a distance in two dimensions has without a root.
 EQ_FN float gaussianOfSquare(float square, float sigma) {
   return exp(-0.5f / (sigma * sigma) * square);
 }

@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <array>
+#include <cmath>
 #include <limits>
 
 #include "equations/hash.h"
@@ -163,6 +164,21 @@ TEST(Reprojection, DepthTests) {
   EXPECT_FALSE(wasVisibleOnPlane(10.25f, 10.0f, 0.02f, 0.0f));
   EXPECT_FALSE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.024f));
   EXPECT_TRUE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.026f));
+}
+
+// Against differences of 1 / viewDepthFromDepth, for every kind of depth.
+TEST(Reprojection, InverseDepthSlopeIsTheDerivative) {
+  for (const int kind : {0, 1, 2, 3, 4, 5}) {
+    const vec4 k = viewDepthCoefficients(kind, 0.5f, 50.0f);
+    const float depth = kind == 4 ? 20.0f : 0.25f;
+    const float step = 0.01f * depth;
+    const float change =
+        1.0f / viewDepthFromDepth(k, depth + step) - 1.0f / viewDepthFromDepth(k, depth - step);
+    const float expected = std::abs(change) / (2.0f * step);
+    EXPECT_NEAR(inverseDepthSlope(k, depth), expected, 2.0e-3f * expected) << kind;
+  }
+  // Reversed, infinite: 1 / z = depth / near.
+  EXPECT_FLOAT_EQ(inverseDepthSlope(vec4(0.0f, 0.5f, 1.0f, 0.0f), 0.3f), 2.0f);
 }
 
 TEST(Reprojection, ScreenEndsAtTheOuterEdgesOfThePixels) {

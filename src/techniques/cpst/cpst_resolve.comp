@@ -238,6 +238,8 @@ void main() {
                                            center_px - k.frame.jitter_px, view_depth);
     expected = min(expected, kMaxViewDepth);
     float slope = near.slope * inverseDepthSlope(k.frame.view_depth_coefficients, near.own);
+    // A depth that is no number has no plane.
+    slope = slope < 3.0e38 ? slope : 0.0;
     valid = visibleTaps(expected, then, kPlaneReach_px * slope);
     disoccluded = dot(valid, vec4(1.0)) < 3.5;
     float nearest_then = min(min(then.x, then.y), min(then.z, then.w));

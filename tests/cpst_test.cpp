@@ -153,6 +153,31 @@ TEST(CpstUncovers, DropsHistoryWhereTheBoardIsGone) {
   EXPECT_EQ(differentColumns(13, 0.0f), 0);
 }
 
+// A floor that comes nearer by 2 to 17 % a row and is seen where it was half a row before: history
+// lies between a row and a nearer one, which hid nothing.
+TEST(CpstUncovers, KeepsHistoryOfASlantedPlane) {
+  const auto floor = [](const char* technique) {
+    Formula formula;
+    formula.color = noise;
+    formula.damage = [](uint32_t, FloatImage&, FloatImage& depth, FloatImage& motion) {
+      for (uint32_t y = 0; y < kHeight; ++y) {
+        for (uint32_t x = 0; x < kWidth; ++x) {
+          motion.at(x, y)[1] = 0.5f;
+          *depth.at(x, y) = 1.0f / (0.01f + 0.002f * static_cast<float>(y));
+        }
+      }
+    };
+    FormulaSource source(testDevice(), {kWidth, kHeight}, formula);
+    Resolver resolver(testDevice(), parseTechnique(technique), source.info());
+    return resolveFrames(resolver, source, 2);
+  };
+  const FloatImage tested = floor("cpst:uncover_motion=0");
+  const FloatImage untested = floor("cpst:disocclusion=none");
+  for (uint32_t y = 1; y + 2 < kHeight; ++y) {
+    EXPECT_EQ(tested.at(25, y)[0], untested.at(25, y)[0]) << y;
+  }
+}
+
 constexpr uint32_t kDarkFrom = 12;
 constexpr float kShadow = 0.6f;
 constexpr int kShadowBegins_px = 24;

@@ -6,6 +6,7 @@
 
 #include "lab/paper/amortized/experiments.h"
 #include "lab/paper/amortized/subjects.h"
+#include "lab/paper/cold_programs.h"
 #include "lab/run/progress.h"
 
 namespace reprise::lab::amortized {
@@ -96,6 +97,7 @@ void timeByPrice(PaperLab& lab, Outcome& outcome) {
   outcome.linePlot({"Time of 4x4 over amortized, without geometry",
                     "one evaluation of every pixel, ms", "times"},
                    series);
+  noteColdPrograms(lab, outcome);
   outcome.note(
       "The scenes' own lights, and lamps scattered over them, culled by tiles. 4x4 and amortized "
       "in "

@@ -132,13 +132,6 @@ std::vector<uint64_t> BareScene::evaluations(const std::string& technique) {
   return counts;
 }
 
-void noteColdPrograms(PaperLab& lab, Outcome& outcome) {
-  if (lab.openDevice()->name().find("llvmpipe") == std::string::npos) return;
-  outcome.note(
-      "Times count from the second run of a build on: llvmpipe takes longer for large programs, by "
-      "the same in every frame, until Mesa's shader cache holds them from an earlier process.");
-}
-
 Cost costOf(const SequenceRun& run, size_t untimed) {
   Cost cost;
   cost.evaluations_per_pixel = run.evaluations_per_pixel;

@@ -9,7 +9,6 @@
 #include <string>
 #include <vector>
 
-#include "lab/paper/outcome.h"
 #include "lab/paper/paper_lab.h"
 #include "lab/run/sequence_run.h"
 
@@ -85,10 +84,6 @@ struct Cost {
 // history fills, and a resolve does more than it does later.
 constexpr size_t kUntimedFrames = 4;
 Cost costOf(const SequenceRun& run, size_t untimed = kUntimedFrames);
-
-// Says so where times of a first run mislead: llvmpipe adds a constant to each dispatch of a large
-// program, 0.2 to 0.5 s for lighting's, until its cache on disk holds that from an earlier process.
-void noteColdPrograms(PaperLab& lab, Outcome& outcome);
 
 // What was asked of a frame at 512 lights, and what Table 2 published: CPS-T over PS and over CBR.
 constexpr double kMostFrameOfPs = 0.55;

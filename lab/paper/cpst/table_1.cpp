@@ -3,6 +3,7 @@
 // Table 1: where a frame's time goes, and how often it shades.
 #include <fmt/format.h>
 
+#include "lab/paper/cold_programs.h"
 #include "lab/paper/cpst/experiments.h"
 #include "lab/paper/cpst/subjects.h"
 

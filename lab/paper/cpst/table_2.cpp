@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <numeric>
 
+#include "lab/paper/cold_programs.h"
 #include "lab/paper/cpst/experiments.h"
 #include "lab/paper/cpst/subjects.h"
 

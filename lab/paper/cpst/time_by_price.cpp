@@ -5,6 +5,7 @@
 // a longer reach, so that each pixel is lit by more of them.
 #include <fmt/format.h>
 
+#include "lab/paper/cold_programs.h"
 #include "lab/paper/cpst/experiments.h"
 #include "lab/paper/cpst/subjects.h"
 

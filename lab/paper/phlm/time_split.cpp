@@ -6,6 +6,7 @@
 
 #include <algorithm>
 
+#include "lab/paper/cold_programs.h"
 #include "lab/paper/phlm/experiments.h"
 #include "lab/paper/phlm/sequences.h"
 #include "lab/run/technique_choice.h"
@@ -96,6 +97,7 @@ void storageOf(PaperLab& lab, const Sequence& sequence, Outcome& outcome) {
 void timeSplit(PaperLab& lab, Outcome& outcome) {
   splitOf(lab, spaceLand(), outcome);
   storageOf(lab, spaceLand(), outcome);
+  noteColdPrograms(lab, outcome);
   outcome.note(
       "Published: CUDA on a GTX 980 at 1920 x 1080. Bytes: models and feature, each read once and "
       "written once; `reprise bench` adds the frame's images and the share of copy bandwidth.");

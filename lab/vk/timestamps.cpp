@@ -29,6 +29,10 @@ uint32_t Timestamps::reserve(const std::vector<std::string>& names) {
 
 void Timestamps::start(VkCommandBuffer commands, const std::string& name) {
   vkCmdWriteTimestamp(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT, pool_, reserve({name}));
+  // lavapipe takes a timestamp with its next flush, which may come after what is to be timed. A
+  // barrier flushes.
+  vkCmdPipelineBarrier(commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+                       VK_PIPELINE_STAGE_ALL_COMMANDS_BIT, 0, 0, nullptr, 0, nullptr, 0, nullptr);
 }
 
 void Timestamps::stop(VkCommandBuffer commands) {

@@ -148,6 +148,12 @@ void PassRecording::writeTimestamp(uint32_t end) const {
   pass_.gpu_.vk.CmdWriteTimestamp(target_.commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
                                   target_.timestamps,
                                   target_.first_timestamp + 2 * pass_index_ + end);
+  if (end == 1) return;
+  // lavapipe takes a timestamp with its next flush, which a dispatch that reads nothing drawn
+  // before does not do: the pass would begin after its own end. A barrier flushes.
+  pass_.gpu_.vk.CmdPipelineBarrier(target_.commands, VK_PIPELINE_STAGE_BOTTOM_OF_PIPE_BIT,
+                                   VK_PIPELINE_STAGE_COMPUTE_SHADER_BIT, 0, 0, nullptr, 0, nullptr,
+                                   0, nullptr);
 }
 
 void PassRecording::skip() {

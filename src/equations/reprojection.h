@@ -54,8 +54,8 @@ EQ_FN bool wasVisible(float expected_depth, float history_depth, float tolerance
 // `slope_inverse`, the plane's change over that distance.
 EQ_FN bool wasVisibleOnPlane(float expected_depth, float history_depth, float tolerance,
                              float slope_inverse) {
-  return 1.0f / max(history_depth, 1.0e-12f) <=
-         (1.0f + tolerance) / max(expected_depth, 1.0e-12f) + slope_inverse;
+  // 1 / history <= (1 + tolerance) / expected + slope, times both depths.
+  return expected_depth <= history_depth * (1.0f + tolerance + slope_inverse * expected_depth);
 }
 
 // Nehab et al. 2007: both depths of one surface, up to a relative tolerance of the farther.

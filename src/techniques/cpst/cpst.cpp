@@ -195,6 +195,10 @@ VkExtent2D momentTexels(VkExtent2D extent_px) {
 VkExtent2D toldTexels(VkExtent2D extent_px) {
   return {(extent_px.width + 3) / 4 * 2, (extent_px.height + 3) / 4 * 2};
 }
+// Each tells two texels, one below the other.
+VkExtent2D silhouetteInvocations(VkExtent2D extent_px) {
+  return {(extent_px.width + 3) / 4 * 2, (extent_px.height + 7) / 8 * 2};
+}
 
 class Cpst final : public Technique {
  public:
@@ -295,7 +299,7 @@ class Cpst final : public Technique {
           .read(state.frame.motion)
           .write(told.current(0))
           .constants(constants)
-          .dispatch(toldTexels(state.output_extent));
+          .dispatch(silhouetteInvocations(state.output_extent));
     }
     recorder.pass(resolve_)
         .read(state.frame.color)

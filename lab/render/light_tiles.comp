@@ -39,17 +39,25 @@ shared uint nearest_bits;
 shared uint farthest_bits;
 shared uint masks[kLampWords];
 
+// Depths of the invocation's 2 x 2 pixels and of those beside them: 4 x 4 but for the corners.
+float depths[4][4];
+
+void fetchDepths(ivec2 first_px, ivec2 last_px) {
+  for (int y = 0; y < 4; ++y) {
+    for (int x = 0; x < 4; ++x) {
+      if (x % 3 == 0 && y % 3 == 0) continue;
+      ivec2 px = clamp(first_px + ivec2(x, y) - 1, ivec2(0), last_px);
+      depths[y][x] = texelFetch(depth_image, px, 0).x;
+    }
+  }
+}
+
 // Depth is inverse view depth times the near plane, linear over a plane's pixels: how much it
 // changes over a pixel, of each axis on the side without a silhouette.
-float slopeAt(ivec2 px, float own, ivec2 last_px) {
-  float sum = 0.0;
-  for (int axis = 0; axis < 2; ++axis) {
-    ivec2 step = axis == 0 ? ivec2(1, 0) : ivec2(0, 1);
-    float before = texelFetch(depth_image, max(px - step, ivec2(0)), 0).x;
-    float after = texelFetch(depth_image, min(px + step, last_px), 0).x;
-    sum += min(abs(before - own), abs(after - own));
-  }
-  return sum;
+float slopeAt(int x, int y) {
+  float own = depths[y][x];
+  return min(abs(depths[y][x - 1] - own), abs(depths[y][x + 1] - own)) +
+         min(abs(depths[y - 1][x] - own), abs(depths[y + 1][x] - own));
 }
 
 struct Ball {
@@ -92,7 +100,7 @@ bool reaches(Ball ball, Side sides[4], vec4 depth_row, float nearest_m, float fa
 
 void main() {
   uint thread = gl_LocalInvocationIndex;
-  ivec2 first_px = ivec2(gl_WorkGroupID.xy * kLightTile_px + gl_LocalInvocationID.xy);
+  ivec2 first_px = ivec2(gl_WorkGroupID.xy * kLightTile_px + 2u * gl_LocalInvocationID.xy);
   ivec2 last_px = ivec2(frame.extent_px) - 1;
   if (thread == 0u) {
     nearest_bits = 0u;
@@ -102,12 +110,12 @@ void main() {
   barrier();
   uint nearest = 0u;
   uint farthest = 0xffffffffu;
-  for (int y = 0; y < int(kLightTile_px); y += int(gl_WorkGroupSize.y)) {
-    for (int x = 0; x < int(kLightTile_px); x += int(gl_WorkGroupSize.x)) {
-      ivec2 px = first_px + ivec2(x, y);
-      float depth = texelFetch(depth_image, min(px, last_px), 0).x;
-      if (any(greaterThan(px, last_px)) || !(depth > 0.0)) continue;
-      float reach = kShadingReach_px * slopeAt(px, depth, last_px) + kDepthSlack * depth;
+  fetchDepths(first_px, last_px);
+  for (int y = 1; y < 3; ++y) {
+    for (int x = 1; x < 3; ++x) {
+      float depth = depths[y][x];
+      if (any(greaterThan(first_px + ivec2(x, y) - 1, last_px)) || !(depth > 0.0)) continue;
+      float reach = kShadingReach_px * slopeAt(x, y) + kDepthSlack * depth;
       nearest = max(nearest, floatBitsToUint(depth + reach));
       farthest = min(farthest, floatBitsToUint(max(depth - reach, 0.0)));
     }

@@ -7,6 +7,7 @@
 
 #include "core/workgroup.h"
 #include "lab/render/shade_triangle.glsl"
+#include "lab/render/work_order.glsl"
 
 layout(local_size_x = REPRISE_WORKGROUP_SIZE, local_size_y = REPRISE_WORKGROUP_SIZE) in;
 
@@ -16,7 +17,8 @@ layout(push_constant) uniform Push {
 };
 
 void main() {
-  int row = int(gl_GlobalInvocationID.y);
+  uint group_y = everySecond(gl_WorkGroupID.y, gl_NumWorkGroups.y);
+  int row = int(group_y * gl_WorkGroupSize.y + gl_LocalInvocationID.y);
   int first = 2 * int(gl_GlobalInvocationID.x);
   ivec2 extent_px = ivec2(frame.extent_px);
   if (row >= extent_px.y || first >= extent_px.x) return;

@@ -11,6 +11,7 @@
 #extension GL_KHR_shader_subgroup_arithmetic : require
 
 #include "lab/render/coarse.glsl"
+#include "lab/render/work_order.glsl"
 
 layout(local_size_x = 64) in;  // kCoarseGroup
 
@@ -29,11 +30,24 @@ void shadeItem(uvec2 item) {
   }
 }
 
+// A workgroup's strip, and which of its workgroups it is.
+uvec2 placeOf(uint group) {
+  uvec2 place = uvec2(0u, group);
+  uint before = 0u;
+  for (uint i = 1u; i < kStrips; ++i) {
+    before += (strip_counts[i - 1u] + kCoarseGroup - 1u) / kCoarseGroup;
+    if (group >= before) place = uvec2(i, group - before);
+  }
+  return place;
+}
+
 void main() {
   shown_light_layers = push.light_layers;
-  uint index = (gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x) * kCoarseGroup +
-               gl_LocalInvocationIndex;
-  if (index >= item_count) return;
-  if (index == 0u) atomicAdd(evaluations, item_count);
-  shadeItem(items[index]);
+  uint groups = gl_NumWorkGroups.x * gl_NumWorkGroups.y;
+  uint group = everySecond(gl_WorkGroupID.y * gl_NumWorkGroups.x + gl_WorkGroupID.x, groups);
+  if (group == 0u && gl_LocalInvocationIndex == 0u) atomicAdd(evaluations, item_count);
+  uvec2 place = placeOf(group);
+  uint index = place.y * kCoarseGroup + gl_LocalInvocationIndex;
+  if (index >= strip_counts[place.x]) return;
+  shadeItem(items[place.x * stripCapacity() + index]);
 }

@@ -26,15 +26,18 @@ uint binOf(uvec2 key) {
   return key.y / kTrianglesABin % kBins;
 }
 
-// Room for `count` items in the list: where it begins. One atomic operation a subgroup.
+// Room for `count` items in the strip's list: where it begins. Atomic operations once a subgroup.
 uint reserve(uint count) {
   uint before = subgroupExclusiveAdd(count);
   uint all_count = subgroupAdd(count);
   uint base = 0u;
   if (subgroupElect() && all_count > 0u) {
-    base = atomicAdd(item_count, all_count);
+    uint strip = gl_WorkGroupID.y / stripGroups();
+    base = strip * stripCapacity() + atomicAdd(strip_counts[strip], all_count);
+    // A strip's last workgroup may have a single item.
+    uint most = atomicAdd(item_count, all_count) + all_count + kStrips * kCoarseGroup;
     uint a_row = groups_x * kCoarseGroup;
-    atomicMax(groups_y, (base + all_count + a_row - 1u) / a_row);
+    atomicMax(groups_y, (most + a_row - 1u) / a_row);
   }
   return subgroupAdd(base) + before;
 }

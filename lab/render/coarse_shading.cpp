@@ -3,6 +3,8 @@
 
 #include <array>
 
+#include "core/workgroup.h"
+
 namespace reprise::lab {
 namespace {
 
@@ -16,13 +18,31 @@ constexpr uint32_t kCheckerboardShader[] = {
 #include "checkerboard.comp.inc"
 };
 
-// Before the items (coarse.glsl): groups to dispatch and the number of items. Groups lie in rows,
-// as many of which are dispatched as there are items: one row alone might be longer than a device
-// allows.
+// Before the items (coarse.glsl): groups to dispatch, the number of items, and that of each strip.
+// Groups lie in rows, as many of which are dispatched as there are items: one row alone might be
+// longer than a device allows.
 constexpr uint32_t kGroupsARow = 64;
-using Head = std::array<uint32_t, 4>;
-constexpr Head kNoItems = {kGroupsARow, 0, 1, 0};
+constexpr uint32_t kStrips = 4;
+using Head = std::array<uint32_t, 4 + kStrips>;
+constexpr Head kNoItems = {kGroupsARow, 0, 1};
 constexpr uint32_t kItemBytes = 8;
+
+// Coarse pixels of the list's dispatch: one more than fit where the grid begins inside the first,
+// and one for the rest of a division.
+VkExtent2D listExtent(VkExtent2D extent, uint32_t size) {
+  return {extent.width / size + 2, extent.height / size + 2};
+}
+
+// As stripCapacity() of coarse.glsl: one item a pixel at most.
+uint64_t itemCapacity(VkExtent2D extent, uint32_t size) {
+  const auto groups = [](uint32_t coarse_pixels) {
+    return (coarse_pixels + REPRISE_WORKGROUP_SIZE - 1) / REPRISE_WORKGROUP_SIZE;
+  };
+  const VkExtent2D list = listExtent(extent, size);
+  const uint64_t strip_groups = (groups(list.height) + kStrips - 1) / kStrips;
+  return kStrips * strip_groups * groups(list.width) * REPRISE_WORKGROUP_SIZE *
+         REPRISE_WORKGROUP_SIZE * size * size;
+}
 
 }  // namespace
 
@@ -36,9 +56,8 @@ CoarseShading::CoarseShading(Device& device, uint32_t size, VkExtent2D extent,
                           .push_bytes = sizeof(CoarseConstants),
                           .specialization = specialization};
   if (size > 1) {
-    // At most one item a pixel.
-    items_ = Buffer(device, sizeof(Head) + uint64_t{kItemBytes} * extent.width * extent.height,
-                    BufferKind::kDevice);
+    items_ =
+        Buffer(device, sizeof(Head) + kItemBytes * itemCapacity(extent, size), BufferKind::kDevice);
     info.name = "list of coarse pixels";
     info.spirv = kListShader;
     info.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -61,9 +80,7 @@ void CoarseShading::record(VkCommandBuffer commands, const std::vector<Bound>& b
   const std::vector<Bound> with_items = followedBy(bound, {stored(color), stored(items_)});
   vkCmdUpdateBuffer(commands, items_.handle(), 0, sizeof(kNoItems), kNoItems.data());
   fullBarrier(commands);
-  // One more where the grid begins inside the frame's first coarse pixel.
-  list_program_.dispatch(commands, {extent_.width / size_ + 2, extent_.height / size_ + 2},
-                         with_items, constants);
+  list_program_.dispatch(commands, listExtent(extent_, size_), with_items, constants);
   fullBarrier(commands);
   shade_program_.dispatchIndirect(commands, items_.handle(), with_items, constants);
   fullBarrier(commands);

@@ -107,6 +107,33 @@ TEST_F(Coarse, MayBeShadedAmidThePixelsThatATriangleCovers) {
   }
 }
 
+TEST_F(Coarse, LeavesNoPixelOfAnyExtentOut) {
+  for (const VkExtent2D extent : {VkExtent2D{1, 1}, {17, 133}, {131, 9}, {66, 66}}) {
+    SceneSource source(device, parseSceneRun("brick/still"), testOptions(extent));
+    for (const uint32_t size : {2u, 3u, 4u}) {
+      RepriseSamplePlan plan{.size = sizeof(plan), .coarse_size = 1};
+      plan.checkerboard = 1;
+      shaded(device, source, plan);  // alpha 0 in every other pixel
+      plan.checkerboard = 0;
+      plan.coarse_size = size;
+      plan.coarse_origin_px[0] = plan.coarse_origin_px[1] = 1;
+      source.takeEvaluations();
+      const FloatImage image = shaded(device, source, plan);
+      const uint64_t coarse_pixels =
+          uint64_t{(extent.width + 2 * size - 2) / size} * ((extent.height + 2 * size - 2) / size);
+      const uint64_t evaluations = source.takeEvaluations();
+      EXPECT_GE(evaluations, coarse_pixels);
+      EXPECT_LE(evaluations, uint64_t{extent.width} * extent.height);
+      for (uint32_t y = 0; y < extent.height; ++y) {
+        for (uint32_t x = 0; x < extent.width; ++x) {
+          EXPECT_EQ(image.at(x, y)[3], 1.0f) << size << ": " << x << ", " << y;
+          EXPECT_GT(image.at(x, y)[0], 0.0f) << size << ": " << x << ", " << y;
+        }
+      }
+    }
+  }
+}
+
 TEST_F(Coarse, ACheckerboardShadesItsHalfAndNothingElse) {
   const VkExtent2D extent{33, 17};
   SceneSource source(device, parseSceneRun("brick/still"), testOptions(extent));

@@ -55,7 +55,8 @@ EQ_FN bool wasVisible(float expected_depth, float history_depth, float tolerance
 EQ_FN bool wasVisibleOnPlane(float expected_depth, float history_depth, float tolerance,
                              float slope_inverse) {
   // 1 / history <= (1 + tolerance) / expected + slope, times both depths.
-  return expected_depth <= history_depth * (1.0f + tolerance + slope_inverse * expected_depth);
+  float expected = max(expected_depth, 0.0f);
+  return expected <= history_depth * (1.0f + tolerance + slope_inverse * expected);
 }
 
 // Nehab et al. 2007: both depths of one surface, up to a relative tolerance of the farther.

@@ -164,6 +164,9 @@ TEST(Reprojection, DepthTests) {
   EXPECT_FALSE(wasVisibleOnPlane(10.25f, 10.0f, 0.02f, 0.0f));
   EXPECT_FALSE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.024f));
   EXPECT_TRUE(wasVisibleOnPlane(10.0f, 8.0f, 0.0f, 0.026f));
+  // Behind the eye then; no history.
+  EXPECT_TRUE(wasVisibleOnPlane(-5.0f, 2.0f, 0.02f, 1.0f));
+  EXPECT_FALSE(wasVisibleOnPlane(5.0f, 0.0f, 0.02f, 1.0f));
 }
 
 // Against differences of 1 / viewDepthFromDepth, for every kind of depth.

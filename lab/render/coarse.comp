@@ -49,5 +49,5 @@ void main() {
   uvec2 place = placeOf(group);
   uint index = place.y * kCoarseGroup + gl_LocalInvocationIndex;
   if (index >= strip_counts[place.x]) return;
-  shadeItem(items[place.x * stripCapacity() + index]);
+  shadeItem(items[stripBegin(place.x) + index]);
 }

@@ -32,8 +32,8 @@ uint reserve(uint count) {
   uint all_count = subgroupAdd(count);
   uint base = 0u;
   if (subgroupElect() && all_count > 0u) {
-    uint strip = gl_WorkGroupID.y / stripGroups();
-    base = strip * stripCapacity() + atomicAdd(strip_counts[strip], all_count);
+    uint strip = gl_WorkGroupID.y / stripGroups(uint(frame.extent_px.y), uint(kSize));
+    base = stripBegin(strip) + atomicAdd(strip_counts[strip], all_count);
     // A strip's last workgroup may have a single item.
     uint most = atomicAdd(item_count, all_count) + all_count + kStrips * kCoarseGroup;
     uint a_row = groups_x * kCoarseGroup;

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "core/workgroup.h"
+#include "lab/render/coarse_list.h"
 
 namespace reprise::lab {
 namespace {
@@ -22,27 +22,9 @@ constexpr uint32_t kCheckerboardShader[] = {
 // Groups lie in rows, as many of which are dispatched as there are items: one row alone might be
 // longer than a device allows.
 constexpr uint32_t kGroupsARow = 64;
-constexpr uint32_t kStrips = 4;
 using Head = std::array<uint32_t, 4 + kStrips>;
 constexpr Head kNoItems = {kGroupsARow, 0, 1};
 constexpr uint32_t kItemBytes = 8;
-
-// Coarse pixels of the list's dispatch: one more than fit where the grid begins inside the first,
-// and one for the rest of a division.
-VkExtent2D listExtent(VkExtent2D extent, uint32_t size) {
-  return {extent.width / size + 2, extent.height / size + 2};
-}
-
-// As stripCapacity() of coarse.glsl: one item a pixel at most.
-uint64_t itemCapacity(VkExtent2D extent, uint32_t size) {
-  const auto groups = [](uint32_t coarse_pixels) {
-    return (coarse_pixels + REPRISE_WORKGROUP_SIZE - 1) / REPRISE_WORKGROUP_SIZE;
-  };
-  const VkExtent2D list = listExtent(extent, size);
-  const uint64_t strip_groups = (groups(list.height) + kStrips - 1) / kStrips;
-  return kStrips * strip_groups * groups(list.width) * REPRISE_WORKGROUP_SIZE *
-         REPRISE_WORKGROUP_SIZE * size * size;
-}
 
 }  // namespace
 
@@ -56,8 +38,8 @@ CoarseShading::CoarseShading(Device& device, uint32_t size, VkExtent2D extent,
                           .push_bytes = sizeof(CoarseConstants),
                           .specialization = specialization};
   if (size > 1) {
-    items_ =
-        Buffer(device, sizeof(Head) + kItemBytes * itemCapacity(extent, size), BufferKind::kDevice);
+    const uint64_t items = uint64_t{kStrips} * stripCapacity(extent.width, extent.height, size);
+    items_ = Buffer(device, sizeof(Head) + kItemBytes * items, BufferKind::kDevice);
     info.name = "list of coarse pixels";
     info.spirv = kListShader;
     info.bindings.push_back(VK_DESCRIPTOR_TYPE_STORAGE_BUFFER);
@@ -80,7 +62,9 @@ void CoarseShading::record(VkCommandBuffer commands, const std::vector<Bound>& b
   const std::vector<Bound> with_items = followedBy(bound, {stored(color), stored(items_)});
   vkCmdUpdateBuffer(commands, items_.handle(), 0, sizeof(kNoItems), kNoItems.data());
   fullBarrier(commands);
-  list_program_.dispatch(commands, listExtent(extent_, size_), with_items, constants);
+  const VkExtent2D listed = {listedCoarsePixels(extent_.width, size_),
+                             listedCoarsePixels(extent_.height, size_)};
+  list_program_.dispatch(commands, listed, with_items, constants);
   fullBarrier(commands);
   shade_program_.dispatchIndirect(commands, items_.handle(), with_items, constants);
   fullBarrier(commands);

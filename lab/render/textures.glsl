@@ -21,34 +21,30 @@ layout(constant_id = 3) const uint kTextureClasses = 8u;
 // Lookups along the longer gradient at most; 1: none.
 layout(constant_id = 5) const uint kAnisotropy = 16u;
 
+// Returns `of` the array that `array` names, its class + 1.
+#define REPRISE_LAB_OF_CLASS(of)                                  \
+  if (kTextureClasses > 0u && array == 1u) return of(textures_0); \
+  if (kTextureClasses > 1u && array == 2u) return of(textures_1); \
+  if (kTextureClasses > 2u && array == 3u) return of(textures_2); \
+  if (kTextureClasses > 3u && array == 4u) return of(textures_3); \
+  if (kTextureClasses > 4u && array == 5u) return of(textures_4); \
+  if (kTextureClasses > 5u && array == 6u) return of(textures_5); \
+  if (kTextureClasses > 6u && array == 7u) return of(textures_6); \
+  if (kTextureClasses > 7u && array == 8u) return of(textures_7)
 #define REPRISE_LAB_EXTENT(layers) vec2(textureSize(sampler2DArray(layers, texture_sampler), 0).xy)
 #define REPRISE_LAB_LOOK_UP(layers) \
   textureLod(sampler2DArray(layers, texture_sampler), place, level)
 
 vec4 lookUp(uint name, vec2 uv, float level) {
   vec3 place = vec3(uv, float(name & 0xffffu));
-  uint array = name >> 16u;  // + 1
-  if (kTextureClasses > 0u && array == 1u) return REPRISE_LAB_LOOK_UP(textures_0);
-  if (kTextureClasses > 1u && array == 2u) return REPRISE_LAB_LOOK_UP(textures_1);
-  if (kTextureClasses > 2u && array == 3u) return REPRISE_LAB_LOOK_UP(textures_2);
-  if (kTextureClasses > 3u && array == 4u) return REPRISE_LAB_LOOK_UP(textures_3);
-  if (kTextureClasses > 4u && array == 5u) return REPRISE_LAB_LOOK_UP(textures_4);
-  if (kTextureClasses > 5u && array == 6u) return REPRISE_LAB_LOOK_UP(textures_5);
-  if (kTextureClasses > 6u && array == 7u) return REPRISE_LAB_LOOK_UP(textures_6);
-  if (kTextureClasses > 7u && array == 8u) return REPRISE_LAB_LOOK_UP(textures_7);
+  uint array = name >> 16u;
+  REPRISE_LAB_OF_CLASS(REPRISE_LAB_LOOK_UP);
   return vec4(1.0);
 }
 
 vec2 textureExtent(uint name) {
   uint array = name >> 16u;
-  if (kTextureClasses > 0u && array == 1u) return REPRISE_LAB_EXTENT(textures_0);
-  if (kTextureClasses > 1u && array == 2u) return REPRISE_LAB_EXTENT(textures_1);
-  if (kTextureClasses > 2u && array == 3u) return REPRISE_LAB_EXTENT(textures_2);
-  if (kTextureClasses > 3u && array == 4u) return REPRISE_LAB_EXTENT(textures_3);
-  if (kTextureClasses > 4u && array == 5u) return REPRISE_LAB_EXTENT(textures_4);
-  if (kTextureClasses > 5u && array == 6u) return REPRISE_LAB_EXTENT(textures_5);
-  if (kTextureClasses > 6u && array == 7u) return REPRISE_LAB_EXTENT(textures_6);
-  if (kTextureClasses > 7u && array == 8u) return REPRISE_LAB_EXTENT(textures_7);
+  REPRISE_LAB_OF_CLASS(REPRISE_LAB_EXTENT);
   return vec2(1.0);
 }
 

@@ -67,7 +67,7 @@ TEST_F(LightTilesTest, TilesShowWhatEveryLampShows) {
   for (const auto& [size, half] : {std::pair(1u, 0u), {2u, 0u}, {4u, 0u}, {1u, 1u}}) {
     SCOPED_TRACE("size " + std::to_string(size) + ", half " + std::to_string(half));
     RepriseSamplePlan plan{.size = sizeof(plan), .jitter_px = {0.45f, -0.4f}, .coarse_size = size};
-    plan.coarse_origin_px[0] = size > 1 ? 1 : 0;
+    plan.coarse_origin_px[0] = plan.coarse_origin_px[1] = size > 1 ? 1 : 0;
     plan.checkerboard = half;
     const Lit tiled = tiles.frame(plan);
     const Lit all = every.frame(plan);
@@ -75,8 +75,9 @@ TEST_F(LightTilesTest, TilesShowWhatEveryLampShows) {
     EXPECT_LT(tiled.lamps_a_tile, 0.5 * kMaxLamps);
     EXPECT_GT(tiled.lamps_a_tile, 1.0);
     // A pixel at its own sample lies within the bounds that its depth made. Coarse pixels are
-    // extrapolated along planes that a tile knows from depths alone.
-    EXPECT_LE(differing(tiled.image, all.image), size == 1 ? 0.0 : 0.002);
+    // extrapolated along planes that a tile knows from depths alone: one pixel in 12367 differs,
+    // without the slopes of depths 16 and 31.
+    EXPECT_LE(differing(tiled.image, all.image), size == 1 ? 0.0 : 2.0e-4);
   }
 }
 
